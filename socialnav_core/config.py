@@ -1,0 +1,286 @@
+"""Every setting, as frozen dataclasses; settings.py reads and writes them."""
+
+import dataclasses
+import math
+
+from socialnav_core.settings import ConfigError, require, require_choice
+
+KINEMATICS = ('holonomic', 'differential')
+LOOKAHEADS = ('constant_velocity', 'oracle')
+POSITIVE_SCENARIO_FIELDS = (
+    'spawn_half_width', 'circle_radius', 'minimum_travel', 'bounds', 'pedestrian_radius',
+    'pedestrian_speed', 'robot_radius', 'robot_preferred_speed', 'goal_tolerance', 'time_step',
+    'time_limit',
+)  # fmt: skip
+
+
+@dataclasses.dataclass(frozen=True)
+class OrcaConfig:
+    """Optimal reciprocal collision avoidance (van den Berg et al. 2011)."""
+
+    neighbor_distance: float = 10.0
+    """Agents whose centres are farther than this are ignored, m."""
+    max_neighbors: int = 10
+    """The nearest so many agents, by centre distance, are avoided."""
+    time_horizon: float = 5.0
+    """Collisions within this time are avoided, s."""
+    safety_space: float = 0.0
+    """Added to every radius, m, besides the constant 0.01 m."""
+    static_responsibility: float = 0.5
+    """Share of a conflict with an obstacle that the mover takes; 1 solves it alone."""
+
+
+@dataclasses.dataclass(frozen=True)
+class RewardConfig:
+    """Reward of one step; terms as in CrowdNav and in the founding report."""
+
+    goal: float = 1.0
+    """For a step that ends at the goal."""
+    collision: float = -0.25
+    """For a step in which the robot touches a pedestrian or an obstacle."""
+    out_of_bounds: float = -0.25
+    """For a step that ends outside of the walls."""
+    discomfort_distance: float = 0.2
+    """Clearance below which a step is penalised, m."""
+    discomfort_factor: float = 0.5
+    """Penalty per metre of missing clearance and per second."""
+    walls_discomfort: bool = True
+    """Whether clearance to the walls counts for discomfort."""
+    discount: float = 0.9
+    """Discount per metre at preferred speed: gamma ** (time_step * preferred_speed) per step."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Scenario:
+    """A world: who is in it, how an episode starts and when it ends."""
+
+    name: str
+    """Name of the family member, such as hard or curriculum-1.5."""
+    pedestrians: int = 5
+    """Number of pedestrians."""
+    obstacles: int = 5
+    """Number of static, disc-shaped obstacles."""
+    obstacle_radius_min: float = 0.3
+    """Smallest obstacle radius, m."""
+    obstacle_radius_max: float = 0.3
+    """Largest obstacle radius, m."""
+    hardest_obstacle_ratio: float = 0.0
+    """Share of the obstacles, rounded up, that have the largest radius."""
+    layout: str = 'square_crossing'
+    """square_crossing: sides are swapped; circle_crossing: everybody crosses a circle."""
+    spawn_half_width: float = 5.0
+    """Half the side of the spawn square and radius of the circle of goals, m."""
+    circle_radius: float = 4.0
+    """Radius of the circle that is crossed in circle_crossing, m."""
+    minimum_travel: float = 7.5
+    """Least |goal - start| of the robot along one of the axes, m (square_crossing)."""
+    start_noise: float = 1.25
+    """Half-width of the noise on the robot's start along each axis, m (square_crossing)."""
+    bounds: float = 7.5
+    """Half-width of the square that must not be left, m; .inf for none."""
+    renew_goals: bool = True
+    """Whether a pedestrian that arrives gets another goal."""
+    randomize_attributes: bool = False
+    """Whether pedestrians have speeds of U(0.5, 1.5) m/s and radii of U(0.3, 0.5) m."""
+    pedestrian_radius: float = 0.3
+    """Radius of a pedestrian, m."""
+    pedestrian_speed: float = 1.0
+    """Preferred and maximum speed of a pedestrian, m/s."""
+    robot_radius: float = 0.3
+    """Radius of the robot, m."""
+    robot_preferred_speed: float = 1.0
+    """Preferred and maximum speed of the robot, m/s."""
+    robot_visible: bool = False
+    """Whether pedestrians see the robot and avoid it."""
+    kinematics: str = 'holonomic'
+    """Motion of the robot: holonomic or differential."""
+    goal_tolerance: float = 0.3
+    """The goal is reached when the robot's centre is nearer than this, m."""
+    time_step: float = 0.25
+    """Time between two decisions, s."""
+    time_limit: float = 25.0
+    """Episodes are truncated after this time, s."""
+    orca: OrcaConfig = OrcaConfig()
+    """How the pedestrians move."""
+    reward: RewardConfig = RewardConfig()
+    """What a step is worth."""
+
+    def __post_init__(self) -> None:
+        """Refuse values that describe no world."""
+        require(self.pedestrians >= 0 and self.obstacles >= 0, 'scenario: negative count of agents')
+        require(
+            0 < self.obstacle_radius_min <= self.obstacle_radius_max,
+            f'scenario {self.name}: obstacle radii must satisfy 0 < obstacle_radius_min '
+            f'({self.obstacle_radius_min}) <= obstacle_radius_max ({self.obstacle_radius_max})',
+        )
+        require(0 <= self.hardest_obstacle_ratio <= 1, 'hardest_obstacle_ratio must lie in [0, 1]')
+        require_choice('layout', self.layout, ('square_crossing', 'circle_crossing'))
+        require_choice('kinematics', self.kinematics, KINEMATICS)
+        for name in POSITIVE_SCENARIO_FIELDS:
+            require(getattr(self, name) > 0, f'scenario {self.name}: {name} must be positive')
+        require(self.start_noise >= 0, 'scenario: start_noise must not be negative')
+
+    @property
+    def agents(self) -> int:
+        """Return the number of agents: pedestrians first, then obstacles."""
+        return self.pedestrians + self.obstacles
+
+    @property
+    def discount(self) -> float:
+        """Return the discount of one step."""
+        return self.reward.discount ** (self.time_step * self.robot_preferred_speed)
+
+
+@dataclasses.dataclass(frozen=True)
+class ScreeningConfig:
+    """Masking of actions after which no action of the set stays free of collisions."""
+
+    enabled: bool = False
+    """Whether actions are screened."""
+    horizon: float = 1.5
+    """How long the escape must stay free, s."""
+    margin: float = 0.02
+    """Clearance to keep from obstacles, m."""
+    moving_margin: float = 0.1
+    """Clearance to keep from walking pedestrians, m."""
+    standing_margin: float = 0.25
+    """Clearance to keep from standing pedestrians, m."""
+
+
+@dataclasses.dataclass(frozen=True)
+class PolicyConfig:
+    """A value network and the way it chooses an action."""
+
+    network: str = 'sarl'
+    """Value network: sarl or gat4sn."""
+    heads: int = 4
+    """Attention heads of gat4sn."""
+    speeds: int = 2
+    """Number of speeds of the action set, spaced exponentially up to the preferred speed."""
+    headings: int = 8
+    """Number of headings (holonomic) or turn rates (differential) of the action set."""
+    max_turn_rate: float = math.pi
+    """Largest turn rate of the action set of a differential drive, rad/s."""
+    kinematics: str = 'holonomic'
+    """Motion of the robot: holonomic or differential."""
+    lookahead: str = 'constant_velocity'
+    """Prediction of the pedestrians: constant_velocity, or oracle (simulation only)."""
+    time_step: float = 0.25
+    """Time that an action lasts, s."""
+    goal_tolerance: float = 0.3
+    """Distance at which the goal counts as reached, m."""
+    reward: RewardConfig = RewardConfig()
+    """Reward that the network was trained on."""
+    screening: ScreeningConfig = ScreeningConfig()
+    """Screening of actions by safety."""
+
+    def __post_init__(self) -> None:
+        """Refuse values that describe no policy."""
+        require_choice('network', self.network, ('sarl', 'gat4sn'))
+        require_choice('kinematics', self.kinematics, KINEMATICS)
+        require_choice('lookahead', self.lookahead, LOOKAHEADS)
+        require(self.heads >= 1, 'policy.heads must be at least 1')
+        require(self.speeds >= 1 and self.headings >= 1, 'policy: the action set is empty')
+
+
+@dataclasses.dataclass(frozen=True)
+class ImitationConfig:
+    """Regression of the value network on the returns of an ORCA robot."""
+
+    episodes: int = 1500
+    """Number of demonstrations."""
+    safety_space: float = 0.15
+    """Added to every radius by the demonstrator, m."""
+    epochs: int = 3
+    """Passes over the demonstrations."""
+    batch_size: int = 256
+    """States per update."""
+    learning_rate: float = 1e-3
+    """Learning rate of Adam at the start."""
+    final_learning_rate: float = 1e-4
+    """Learning rate at the end, reached exponentially."""
+
+
+@dataclasses.dataclass(frozen=True)
+class CurriculumConfig:
+    """Obstacles that grow with success."""
+
+    enabled: bool = False
+    """Whether the curriculum is used; otherwise the scenario stays as it is."""
+    start_radius: float = 0.3
+    """Largest obstacle radius of the first level, m."""
+    radius_step: float = 0.2
+    """Added at each level, m."""
+    final_radius: float = 2.5
+    """Largest obstacle radius of the last level, m."""
+    target_success: float = 0.7
+    """Success rate over the window that opens the next level."""
+    window: int = 50
+    """Number of the latest episodes begun at a level that are counted."""
+
+
+@dataclasses.dataclass(frozen=True)
+class TrainingConfig:
+    """Value learning after imitation."""
+
+    worlds: int = 128
+    """Worlds simulated side by side."""
+    iterations: int = 100
+    """Rounds of collection and updates."""
+    steps_per_iteration: int = 16
+    """Steps of each world in one iteration."""
+    updates_per_iteration: int = 24
+    """Gradient updates in one iteration."""
+    batch_size: int = 512
+    """States per update."""
+    replay_capacity: int = 60000
+    """States kept for replay; half of it holds demonstrations at the start."""
+    learning_rate: float = 1e-3
+    """Learning rate of Adam at the start."""
+    final_learning_rate: float = 1e-4
+    """Learning rate at the end."""
+    decay_start: float = 0.3
+    """Share of the run after which the learning rate falls exponentially."""
+    gradient_clip: float = 1.0
+    """Largest norm of the gradient."""
+    trace_decay: float = 0.7
+    """Lambda of Watkins' Q(lambda) targets."""
+    epsilon_start: float = 0.3
+    """Share of random actions at the start."""
+    epsilon_end: float = 0.05
+    """Share of random actions from epsilon_share on."""
+    epsilon_share: float = 0.5
+    """Share of the run over which epsilon falls linearly."""
+    lookahead: str = 'oracle'
+    """Prediction of the pedestrians while training: oracle or constant_velocity."""
+    bfloat16: bool = True
+    """Whether products are computed in bfloat16 where the processor has it; weights stay float32."""
+    checkpoint_iterations: int = 10
+    """Iterations between two saved states."""
+    imitation: ImitationConfig = ImitationConfig()
+    """What comes first."""
+    curriculum: CurriculumConfig = CurriculumConfig()
+    """Growth of the obstacles."""
+
+    def __post_init__(self) -> None:
+        """Refuse values with which nothing can be learned."""
+        require_choice('training.lookahead', self.lookahead, LOOKAHEADS)
+        for name in ('worlds', 'steps_per_iteration', 'batch_size', 'replay_capacity'):
+            require(getattr(self, name) > 0, f'training.{name} must be positive')
+        require(0 <= self.trace_decay <= 1, 'training.trace_decay must lie in [0, 1]')
+
+
+@dataclasses.dataclass(frozen=True)
+class Config:
+    """A training run, complete: what `socialnav train` reads and a checkpoint keeps."""
+
+    name: str
+    """Name of the run and of its folder."""
+    scenario: Scenario
+    """World that is trained in."""
+    policy: PolicyConfig = PolicyConfig()
+    """Network and action set."""
+    training: TrainingConfig = TrainingConfig()
+    """How it learns."""
+    seed: int = 0
+    """Seed of the weights, cases and exploration."""

@@ -1,0 +1,235 @@
+"""A batch of worlds that are stepped side by side."""
+
+from collections.abc import Sequence
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from socialnav_core.config import ConfigError, Scenario, require, require_choice
+from socialnav_core.simulation.episodes import Episodes
+from socialnav_core.simulation.kinematics import move_robot
+from socialnav_core.simulation.pedestrians import decide_velocities, renew_goals
+from socialnav_core.simulation.rewards import Outcome, reward_settings, step_outcomes
+from socialnav_core.states import CrowdState
+
+AUTORESETS = ('same_step', 'disabled')
+LAYOUT_FIELDS = ('name', 'obstacle_radius_min', 'obstacle_radius_max', 'hardest_obstacle_ratio')
+TIME_TOLERANCE = 1e-9
+
+Step = tuple[CrowdState, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]
+
+
+class Simulator:
+    """
+    Worlds of one scenario, a robot, pedestrians and obstacles in each.
+
+    A world that ends starts its next case within the same step (autoreset same_step, as in
+    Gymnasium) or stays as it ended until `reset` (disabled). A world without a case left is idle:
+    nothing in it moves, its rewards are zero and it ends no more.
+    """
+
+    def __init__(
+        self, scenario: Scenario, batch_size: int = 1, autoreset: str = 'same_step'
+    ) -> None:
+        """
+        Make worlds; `reset` lays them out.
+
+        :param scenario: what the worlds are like.
+        :param batch_size: number of worlds.
+        :param autoreset: same_step or disabled.
+        :raises ConfigError: for a batch without worlds or an unknown autoreset.
+        """
+        require(batch_size >= 1, f'batch_size must be at least 1, not {batch_size}')
+        require_choice('autoreset', autoreset, AUTORESETS)
+        self.scenario = scenario
+        self.batch_size = batch_size
+        self.autoreset = autoreset
+        self._episodes = Episodes(scenario, batch_size)
+        self._decided = np.zeros((batch_size, scenario.agents, 2))
+        self._until_decision = np.zeros(batch_size)
+        self._settings = reward_settings(scenario.reward, scenario.goal_tolerance)
+
+    @property
+    def state(self) -> CrowdState:
+        """Return a copy of the present state."""
+        return self._episodes.state.copy()
+
+    @property
+    def case_index(self) -> np.ndarray:
+        """Return the case that each world runs, -1 where it is idle, (batch,)."""
+        return self._episodes.case_index.copy()
+
+    @property
+    def active(self) -> np.ndarray:
+        """Return whether a world runs, bool (batch,)."""
+        return self._episodes.active.copy()
+
+    def reset(
+        self, seed: int = 0, split: str = 'test', cases: Sequence[int] | np.ndarray | None = None
+    ) -> CrowdState:
+        """
+        Start an episode in every world and return the state.
+
+        :param seed: of the cases; case i of a seed is the same problem for everybody.
+        :param split: train, validation or test; splits share no case.
+        :param cases: cases to run once each, in this order; None for 0, 1, 2, ... without end.
+        :raises PackingError: when a layout does not fit into the world.
+        """
+        self._episodes.begin(seed, split, cases)
+        self._start(np.arange(self.batch_size))
+        return self.state
+
+    def step(self, command: np.ndarray) -> Step:
+        """
+        Advance by the scenario's time step: `advance(command, scenario.time_step)`.
+
+        :param command: of the robots, (batch, 2).
+        """
+        return self.advance(command, self.scenario.time_step)
+
+    def advance(self, command: np.ndarray, duration: float) -> Step:
+        """
+        Advance all worlds; return state, reward, terminated, truncated and info.
+
+        Rewards are float64, the two flags bool, (batch,). info holds arrays (batch,) of the step
+        that was made: outcome (codes of Outcome), case_index, active, clearance and
+        pedestrian_clearance (least gap during the step, m, inf where there is nobody), and of the
+        episode so far: steps, time, path_length, minimum_clearance; and final_state, the
+        CrowdState before finished worlds were started again.
+
+        :param command: of the robots, (vx, vy) in the world frame or (speed, turn rate), (batch, 2).
+        :param duration: at most the scenario's time step, s; pedestrians decide only at multiples
+            of the time step since the episode began.
+        :raises ValueError: for a command of another shape or one that is not finite.
+        """
+        command = self._checked(command)
+        velocities = self._decide()
+        moves = move_robot(
+            self.scenario.kinematics, self._episodes.state.robot_heading, command, duration
+        )
+        reward, outcome, clearance, pedestrian_clearance = (
+            array[:, 0]
+            for array in step_outcomes(
+                self._episodes.state, moves[0][:, None], velocities, duration, self._settings
+            )
+        )
+        active = self.active
+        self._move(moves, velocities, duration, active)
+        self._episodes.record(np.linalg.norm(moves[0], axis=-1), clearance, active)
+        late = self._episodes.state.time >= self.scenario.time_limit - TIME_TOLERANCE
+        outcome[(outcome == Outcome.NONE) & late] = Outcome.TIMEOUT
+        outcome[~active] = Outcome.NONE
+        info = self._episodes.summary() | {
+            'outcome': outcome,
+            'active': active,
+            'clearance': clearance,
+            'pedestrian_clearance': pedestrian_clearance,
+        }
+        truncated = outcome == Outcome.TIMEOUT
+        terminated = (outcome != Outcome.NONE) & ~truncated
+        state = info['final_state'] = self.state
+        if (terminated | truncated).any():
+            self._end(np.flatnonzero(terminated | truncated))
+            state = self.state
+        return state, np.where(active, reward, 0.0), terminated, truncated, info
+
+    def next_agent_velocities(self) -> np.ndarray:
+        """
+        Return what the agents will do in the coming step, m/s, (batch, agents, 2).
+
+        This is the oracle prediction: no robot has it.
+
+        :raises ConfigError: when pedestrians see the robot, since it then depends on the command.
+        """
+        require(
+            not self.scenario.robot_visible,
+            'the oracle look-ahead needs robot_visible: false; use constant_velocity',
+        )
+        return self._decide().copy()
+
+    def set_goal(self, world: int, goal: Sequence[float] | np.ndarray) -> None:
+        """
+        Give the robot of a world another goal.
+
+        :param world: its index.
+        :param goal: m, (2,).
+        """
+        self._episodes.state.robot_goal[world] = goal
+
+    def change_scenario(self, scenario: Scenario) -> None:
+        """
+        Use other obstacle radii for the episodes that begin from now on.
+
+        :param scenario: differs from the present one in its name and obstacle radii only.
+        :raises ConfigError: when it differs in more.
+        """
+        same = {name: getattr(self.scenario, name) for name in LAYOUT_FIELDS}
+        if dataclasses.replace(scenario, **same) != self.scenario:
+            raise ConfigError('change_scenario: only names and obstacle radii may differ')
+        self.scenario = self._episodes.scenario = scenario
+
+    def get_state(self) -> dict[str, np.ndarray]:
+        """Return all that is needed to go on from here, as arrays of their own."""
+        arrays = {'decided': self._decided, 'until_decision': self._until_decision}
+        return {name: array.copy() for name, array in (arrays | self._episodes.arrays()).items()}
+
+    def set_state(self, arrays: dict[str, np.ndarray]) -> None:
+        """
+        Go on from where `get_state` was called, on a simulator of the same scenario and size.
+
+        :param arrays: as returned by `get_state`.
+        """
+        self._decided = arrays['decided'].copy()
+        self._until_decision = arrays['until_decision'].copy()
+        self._episodes.restore(arrays)
+
+    def _checked(self, command: np.ndarray) -> np.ndarray:
+        """Return the command as float64, or raise ValueError."""
+        command = np.asarray(command, dtype=np.float64)
+        if command.shape != (self.batch_size, 2):
+            raise ValueError(f'command must be ({self.batch_size}, 2), not {command.shape}')
+        if not np.isfinite(command[self._episodes.active]).all():
+            raise ValueError('command is not finite')
+        return command
+
+    def _decide(self) -> np.ndarray:
+        """Return the velocities of the agents, decided again in the worlds where that is due."""
+        due = self._episodes.active & (self._until_decision <= TIME_TOLERANCE)
+        if due.any():
+            decide_velocities(self.scenario, self._episodes, due, self._decided)
+            self._until_decision[due] = self.scenario.time_step
+        return self._decided
+
+    def _move(
+        self,
+        moves: tuple[np.ndarray, np.ndarray, np.ndarray],
+        velocities: np.ndarray,
+        duration: float,
+        active: np.ndarray,
+    ) -> None:
+        """Move everybody in the active worlds and give arrived pedestrians another goal."""
+        state = self._episodes.state
+        displacement, robot_velocity, heading = moves
+        state.robot_position[active] += displacement[active]
+        state.robot_velocity[active] = robot_velocity[active]
+        state.robot_heading[active] = heading[active]
+        state.velocity[active] = velocities[active]
+        state.position[active] += velocities[active] * duration
+        state.time[active] += duration
+        self._until_decision[active] -= duration
+        if self.scenario.renew_goals:
+            renew_goals(self.scenario, self._episodes)
+
+    def _end(self, worlds: np.ndarray) -> None:
+        """Start the next cases of worlds that ended, or leave them idle."""
+        if self.autoreset == 'same_step':
+            self._start(worlds)
+        else:
+            self._episodes.stop(worlds)
+
+    def _start(self, worlds: np.ndarray) -> None:
+        """Lay out the next cases."""
+        self._until_decision[worlds] = 0.0
+        self._decided[worlds] = 0.0
+        self._episodes.start(worlds)
