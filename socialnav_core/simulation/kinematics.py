@@ -6,8 +6,6 @@ import numpy as np
 
 from socialnav_core.config import PolicyConfig
 
-STRAIGHT = 1e-9  # turn rates below are driven as a straight line, rad/s
-
 
 def move_robot(
     kinematics: str, heading: np.ndarray, command: np.ndarray, duration: float
@@ -33,28 +31,39 @@ def move_robot(
     return displacement, speed[..., None] * direction(end_heading), wrap(end_heading)
 
 
-def action_set(config: PolicyConfig, preferred_speed: np.ndarray) -> np.ndarray:
+def action_set(config: PolicyConfig) -> np.ndarray:
     """
-    Return the candidate commands of each robot, (batch, actions, 2), the stop first.
+    Return the candidate commands of a robot whose preferred speed is 1 m/s, (actions, 2).
 
-    Speeds are spaced exponentially, (exp(i / n) - 1) / (e - 1) of the preferred speed; headings
-    are spread over the circle of the world frame, turn rates evenly over their range.
+    The stop comes first. Speeds are spaced exponentially, (exp(i / n) - 1) / (e - 1); headings are
+    spread over the circle of the world frame, turn rates evenly over their range.
 
-    :param config: number of speeds, headings and kinematics.
-    :param preferred_speed: m/s, (batch,).
+    :param config: number of speeds and headings, kinematics.
     """
     ramp = np.arange(1, config.speeds + 1) / config.speeds
     speeds = np.expm1(ramp) / math.expm1(1.0)
+    stop = np.zeros((1, 2))
     if config.kinematics == 'holonomic':
         angles = np.linspace(0.0, 2.0 * math.pi, config.headings, endpoint=False)
         moves = speeds[:, None, None] * direction(angles)
-        unit = np.concatenate([np.zeros((1, 2)), moves.reshape(-1, 2)])
-        return preferred_speed[:, None, None] * unit
+        return np.concatenate([stop, moves.reshape(-1, 2)])
     rates = np.linspace(-config.max_turn_rate, config.max_turn_rate, config.headings)
     grid = np.stack(np.broadcast_arrays(np.r_[0.0, speeds][:, None], rates), axis=-1)
-    commands = np.concatenate([np.zeros((1, 2)), grid.reshape(-1, 2)])
-    scale = np.stack([preferred_speed, np.ones_like(preferred_speed)], axis=-1)
-    return commands * scale[:, None, :]
+    return np.concatenate([stop, grid.reshape(-1, 2)])
+
+
+def scale_actions(kinematics: str, actions: np.ndarray, preferred_speed: np.ndarray) -> np.ndarray:
+    """
+    Return the candidate commands of each robot, (batch, actions, 2).
+
+    :param kinematics: holonomic or differential; turn rates are not scaled.
+    :param actions: of `action_set`, (actions, 2).
+    :param preferred_speed: m/s, (batch,).
+    """
+    scaled = actions * preferred_speed[:, None, None]
+    if kinematics == 'differential':
+        scaled[..., 1] = actions[:, 1]
+    return scaled
 
 
 def direction(angle: np.ndarray) -> np.ndarray:

@@ -124,7 +124,7 @@ def sample_obstacles(stream, pedestrians, settings, robot, position, radius, goa
             y = uniform(stream, -half_width, half_width)
             if near(x, y, robot[0], robot[1], size + robot_radius + OBSTACLE_GAP):
                 continue
-            if near(x, y, robot[2], robot[3], size + robot_radius + GAP):
+            if near(x, y, robot[2], robot[3], size + GAP):
                 continue
             if near_any(x, y, size + OBSTACLE_GAP, position, radius, pedestrians, i):
                 continue
