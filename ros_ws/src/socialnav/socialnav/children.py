@@ -1,0 +1,85 @@
+"""Nodes as processes of their own, that never outlive whoever started them."""
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+import signal
+import subprocess
+import time
+
+from ament_index_python.packages import get_package_prefix
+
+PATIENCE = 5.0
+"""Time that a process gets to end after each signal, s."""
+
+Nodes = dict[str, subprocess.Popen]
+
+
+@contextmanager
+def running_nodes(
+    parameters: Mapping[str, Mapping[str, object]], environment: Mapping[str, str]
+) -> Iterator[Nodes]:
+    """
+    Start nodes of this package; stop them at the end, whatever happens.
+
+    :param parameters: of each node, by the name of its executable.
+    :param environment: of the processes.
+    """
+    nodes: Nodes = {}
+    try:
+        for name, values in parameters.items():
+            nodes[name] = subprocess.Popen(
+                command_line(name, values), env=dict(environment), start_new_session=True
+            )
+        yield nodes
+    finally:
+        stop(list(nodes.values()))
+
+
+def command_line(name: str, parameters: Mapping[str, object]) -> list[str]:
+    """
+    Return how a node of this package is started, warnings and errors only.
+
+    :param name: of its executable.
+    :param parameters: its parameters.
+    """
+    executable = Path(get_package_prefix('socialnav')) / 'lib' / 'socialnav' / name
+    assignments = [f'{key}:={parameter_text(value)}' for key, value in parameters.items()]
+    flags = [text for assignment in assignments for text in ('-p', assignment)]
+    return [str(executable), '--ros-args', '--log-level', 'warn', *flags]
+
+
+def parameter_text(value: object) -> str:
+    """
+    Return a value as YAML, as the command line wants it.
+
+    :param value: a bool, number or text.
+    """
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def stop(processes: list[subprocess.Popen]) -> None:
+    """
+    End processes: all are asked, then told, then killed.
+
+    :param processes: some may have ended.
+    """
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+        alive = [process for process in processes if process.poll() is None]
+        for process in alive:
+            process.send_signal(number)
+        wait(alive, time.monotonic() + PATIENCE)
+
+
+def wait(processes: list[subprocess.Popen], deadline: float) -> None:
+    """
+    Wait until processes have ended.
+
+    :param processes: to wait for.
+    :param deadline: on the monotonic clock; then it is over.
+    """
+    for process in processes:
+        try:
+            process.wait(max(0.0, deadline - time.monotonic()))
+        except subprocess.TimeoutExpired:
+            return

@@ -1,0 +1,169 @@
+"""All of the decision: from the newest inputs to a velocity of the robot, or a reason to stand."""
+
+from collections.abc import Callable
+import dataclasses
+import time
+from typing import Any
+
+import numpy as np
+
+from socialnav.clamping import clamp_differential, clamp_holonomic
+from socialnav.controller_settings import ControllerSettings
+from socialnav.conversions import ConversionError, crowd_state, nearest_agents, rotate
+from socialnav.extrapolation import extrapolate
+from socialnav.inputs import Inputs
+from socialnav.runs import Run
+from socialnav_core.policies import Policy
+from socialnav_core.states import CrowdState
+
+ARRIVED = 'goal reached'
+STALLED = 'no decision any more: the clock has stopped or the decision hangs'
+NO_COMMAND = np.zeros(2)
+
+
+@dataclasses.dataclass(frozen=True)
+class Decision:
+    """What the robot shall do now."""
+
+    command: np.ndarray
+    """(vx, vy) in base_link, m/s, or speed and turn rate of a differential drive, (2,)."""
+    reason: str | None = None
+    """Why the robot stands; None while it drives."""
+    publish: bool = True
+    """False once the robot has stood for so long that others may command it."""
+    stamp: int = 0
+    """Time of the state that is answered, ns."""
+
+
+class Controller:
+    """Holds what is known and decides; one caller at a time."""
+
+    def __init__(
+        self,
+        policy: Policy,
+        settings: ControllerSettings,
+        steady: Callable[[], float] = time.monotonic,
+    ) -> None:
+        """
+        Start without any input.
+
+        :param policy: what chooses the velocity.
+        :param settings: may be replaced at any time.
+        :param steady: a clock that always runs, s.
+        """
+        self.settings = settings
+        self.goal_reached = False
+        self._policy = policy
+        self._steady = steady
+        self._inputs = Inputs()
+        self._run = Run()
+        self._latency = 0.0
+        self._standing_since: float | None = None
+        self._latest: Decision | None = None
+
+    def store(self, name: str, message: Any) -> None:
+        """
+        Take an input.
+
+        :param name: odom, pedestrians, obstacles or goal_pose.
+        :param message: of that topic.
+        """
+        self._inputs.store(name, message)
+
+    def take_complete_state(self) -> bool:
+        """Return whether a whole state of a world in lockstep waits for its decision."""
+        return self._inputs.take_complete_state()
+
+    def decide(self, now: int) -> Decision:
+        """
+        Return what to do; the robot stands where anything is wrong.
+
+        :param now: ns, on the clock of the stamps.
+        """
+        stamp = self._inputs.stamp('odom')
+        if self.settings.lockstep and self._latest is not None and self._latest.stamp == stamp:
+            return self._latest  # the state came again because the answer was lost
+        command, reason = self._choose(now)
+        self._latest = Decision(command, reason, self._to_be_published(reason), stamp)
+        return self._latest
+
+    def stall(self) -> Decision:
+        """Return what to do when decide() is not called any more; another thread may ask."""
+        return Decision(NO_COMMAND, STALLED, self._to_be_published(STALLED))
+
+    def _choose(self, now: int) -> tuple[np.ndarray, str | None]:
+        """Return a command and, where it is zero for want of something, the reason."""
+        reason = self._inputs.complaint(now, self.settings)
+        if reason is not None:
+            return NO_COMMAND, reason
+        try:
+            state = self._known_state(now)
+        except ConversionError as error:
+            return NO_COMMAND, str(error)
+        distance = np.linalg.norm(state.robot_goal[0] - state.robot_position[0])
+        self.goal_reached = self.goal_reached or bool(distance < self.settings.goal_tolerance)
+        if self.goal_reached:
+            return NO_COMMAND, ARRIVED
+        return self._drive(self._coming_state(state, now))
+
+    def _known_state(self, now: int) -> CrowdState:
+        """Return the world as the inputs tell it, at their own times; begin a run if it is new."""
+        settings = self.settings
+        odometry, pedestrians, obstacles, goal = map(
+            self._inputs.newest, ('odom', 'pedestrians', 'obstacles', 'goal_pose')
+        )
+        state = crowd_state(
+            odometry, goal, pedestrians, obstacles, settings.body, settings.planning_frame
+        )
+        moment = self._inputs.stamp('odom') if settings.lockstep else now
+        if self._run.begins(goal, moment, 1.5 * settings.period if settings.lockstep else None):
+            self.goal_reached = False
+            self._policy.reset()
+        state.time[:] = self._run.time
+        return nearest_agents(state, settings.max_agents)
+
+    def _coming_state(self, state: CrowdState, now: int) -> CrowdState:
+        """Return the state at the moment when a command that is chosen now takes effect."""
+        if self.settings.lockstep:
+            return state
+        effect = now * 1e-9 + self._latency
+        robot, people = (
+            effect - self._inputs.stamp(name) * 1e-9 for name in ('odom', 'pedestrians')
+        )
+        turn_rate = self._inputs.newest('odom').twist.twist.angular.z
+        return extrapolate(state, max(robot, 0.0), turn_rate, max(people, 0.0))
+
+    def _drive(self, state: CrowdState) -> tuple[np.ndarray, str | None]:
+        """Return the command that the policy chooses, within the limits."""
+        began = self._steady()
+        try:
+            command = np.asarray(self._policy.act(state)[0], dtype=float)
+        except Exception as error:  # whatever it is, the robot must not drive on
+            if self.settings.lockstep:
+                raise
+            return NO_COMMAND, f'the decision failed: {type(error).__name__}: {error}'
+        elapsed = self._steady() - began
+        self._latency = min(elapsed, self.settings.period)
+        if not self.settings.lockstep and elapsed > self.settings.period:
+            return NO_COMMAND, f'the decision took {elapsed:.2f} s, longer than a period'
+        if not np.isfinite(command).all():
+            return NO_COMMAND, f'the policy chose {command.tolist()}, which is no velocity'
+        return self._executable(command, state), None
+
+    def _executable(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
+        """Return a command of the policy as the robot takes it."""
+        limits, period = self.settings.limits, self.settings.period
+        heading, velocity = float(state.robot_heading[0]), state.robot_velocity[0]
+        if self.settings.kinematics == 'differential':
+            return clamp_differential(command, rotate(velocity, -heading)[0], limits, period)
+        return rotate(clamp_holonomic(command, velocity, limits, period), -heading)
+
+    def _to_be_published(self, reason: str | None) -> bool:
+        """Return whether a decision is worth a message; count how long the robot has stood."""
+        if reason is None:
+            self._standing_since = None
+            return True
+        if self._standing_since is None:
+            self._standing_since = self._steady()
+        timeout = self.settings.stop_publish_timeout
+        return timeout == 0 or self._steady() - self._standing_since <= timeout

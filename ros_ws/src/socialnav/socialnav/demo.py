@@ -1,0 +1,155 @@
+"""Both nodes as two processes for some episodes, with a summary and a picture at the end."""
+
+import argparse
+import os
+from pathlib import Path
+import signal
+import sys
+import time
+
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.signals import SignalHandlerOptions
+
+from socialnav.children import Nodes, running_nodes
+from socialnav.demo_node import DemoNode
+from socialnav.demo_report import row, table, write_json
+from socialnav.isolation import isolated_environment
+from socialnav.parameters import DEFAULT_MODEL
+from socialnav_core.simulation import make_scenario
+
+SILENCE = 60.0
+"""Time without a new state after which the demo gives up, s."""
+INTERRUPTED = 130
+EXAMPLES = """examples:
+  ros2 run socialnav demo
+  ros2 run socialnav demo --episodes 20 --scenario crowd20 --model orca --out out/crowd
+  ros2 run socialnav demo --real-time
+"""
+
+
+class DemoError(RuntimeError):
+    """The demo cannot go on; the text is one line."""
+
+
+def main() -> None:
+    """Run the demo and leave with its exit code."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    options = parse(sys.argv[1:])
+    os.environ.update(isolated_environment(os.environ))
+    rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
+    try:
+        run_demo(options)
+    except DemoError as error:
+        sys.exit(f'error: {error}')
+    except KeyboardInterrupt:
+        sys.exit(INTERRUPTED)
+    finally:
+        rclpy.try_shutdown()
+
+
+def parse(arguments: list[str]) -> argparse.Namespace:
+    """
+    Return the options of the command line; leave with exit code 2 where they are wrong.
+
+    :param arguments: without the name of the program.
+    """
+    parser = argparse.ArgumentParser(
+        prog='demo', description=__doc__, epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )  # fmt: skip
+    parser.add_argument('--episodes', type=int, default=5, help='number of episodes (default: 5)')
+    parser.add_argument('--scenario', default='hard', help='world (default: hard)')
+    parser.add_argument('--seed', type=int, default=0, help='seed of the cases (default: 0)')
+    parser.add_argument(
+        '--model', default=DEFAULT_MODEL,
+        help=f'name or folder of a model, orca or straight_line (default: {DEFAULT_MODEL})',
+    )  # fmt: skip
+    parser.add_argument(
+        '--out', type=Path, default=Path('out/demo'), help='folder to write (default: out/demo)'
+    )
+    parser.add_argument('--real-time', action='store_true', help='to watch: not in lockstep')
+    options = parser.parse_args(arguments)
+    if options.episodes < 1 or options.seed < 0:
+        parser.error('--episodes must be at least 1 and --seed not negative')
+    try:
+        make_scenario(options.scenario)
+    except ValueError as error:
+        parser.error(str(error))
+    return options
+
+
+def run_demo(options: argparse.Namespace) -> None:
+    """
+    Run the episodes, print and write what came of them.
+
+    :param options: of the command line.
+    :raises DemoError: a node died, nothing came for a minute, or the robot never moved.
+    """
+    options.out.mkdir(parents=True, exist_ok=True)
+    listener = DemoNode()
+    with running_nodes(node_parameters(options), os.environ) as nodes:
+        listen(listener, nodes, options.episodes)
+    results = listener.results[: options.episodes]
+    print(f'\n{table(results)}', flush=True)
+    write_json(results, options.out / 'episodes.json')
+    if not any(result.path_length for result in results):
+        raise DemoError('the robot never moved: nothing was decided')
+    write_picture(listener, options)
+    print(f'written: {options.out}/episodes.json, {options.out}/episode.gif')
+
+
+def node_parameters(options: argparse.Namespace) -> dict[str, dict[str, object]]:
+    """
+    Return the parameters of each node.
+
+    :param options: of the command line.
+    """
+    both = {'scenario': options.scenario, 'lockstep': not options.real_time}
+    simulator = {'seed': options.seed, 'episodes': options.episodes}
+    limits = {} if not options.real_time else {'bounds': make_scenario(options.scenario).bounds}
+    return {
+        'simulator_node': both | simulator,
+        'policy_node': both | {'model': options.model} | limits,
+    }
+
+
+def listen(listener: DemoNode, nodes: Nodes, episodes: int) -> None:
+    """
+    Print each episode when it ends, until all have.
+
+    :param listener: hears the topics.
+    :param nodes: the processes that must live.
+    :param episodes: how many to wait for.
+    :raises DemoError: a node died, or nothing new came for a minute.
+    """
+    executor = SingleThreadedExecutor()
+    executor.add_node(listener)
+    printed = 0
+    while printed < episodes:
+        executor.spin_once(timeout_sec=0.1)
+        for number, result in enumerate(listener.results[printed:], printed + 1):
+            print(f'{row(number, result)}', flush=True)
+        printed = len(listener.results)
+        dead = {name: node.poll() for name, node in nodes.items() if node.poll() is not None}
+        for name, code in dead.items():
+            raise DemoError(f'{name} ended with exit code {code}')
+        if time.monotonic() - listener.latest_progress > SILENCE:
+            raise DemoError(f'nothing new for {SILENCE:g} s')
+    executor.shutdown()
+
+
+def write_picture(listener: DemoNode, options: argparse.Namespace) -> None:
+    """
+    Write a good episode as an animation.
+
+    :param listener: has recorded it.
+    :param options: of the command line.
+    :raises DemoError: when no episode was recorded.
+    """
+    from socialnav_core.evaluation.animation import write_gif  # matplotlib: only here, at the end
+
+    recording = listener.recorder.recording(options.model)
+    if recording is None:
+        raise DemoError('no state was received')
+    write_gif(recording, options.out / 'episode.gif')

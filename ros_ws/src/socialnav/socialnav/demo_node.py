@@ -1,0 +1,53 @@
+"""The listener of the demo: it knows an episode only from its topics."""
+
+from functools import partial
+import time
+from typing import Any
+
+from geometry_msgs.msg import PoseStamped
+from nav_msgs.msg import Odometry
+from rclpy.node import Node
+
+from socialnav import qos
+from socialnav.episode_recorder import EpisodeRecorder
+from socialnav_msgs.msg import AgentStates, EpisodeResult
+
+
+class DemoNode(Node):
+    """Listens to everything that an episode consists of."""
+
+    def __init__(self) -> None:
+        """Subscribe."""
+        super().__init__('demo')
+        self.recorder = EpisodeRecorder()
+        self.results: list[EpisodeResult] = []
+        self.latest_progress = time.monotonic()
+        for name, kind, profile in (
+            ('odom', Odometry, qos.RECORDING),
+            ('pedestrians', AgentStates, qos.RECORDING),
+            ('goal_pose', PoseStamped, qos.RECORDING),
+            ('obstacles', AgentStates, qos.LATCHED_RECORDING),
+        ):
+            self.create_subscription(kind, name, partial(self.on_input, name), profile)
+        self.create_subscription(
+            EpisodeResult, 'episode_result', self.on_result, qos.LATCHED_RECORDING
+        )
+
+    def on_input(self, name: str, message: Any) -> None:
+        """
+        Store a part of a state.
+
+        :param name: its topic.
+        :param message: it has a header.
+        """
+        if self.recorder.store(name, message):
+            self.latest_progress = time.monotonic()
+
+    def on_result(self, result: EpisodeResult) -> None:
+        """
+        Store how an episode ended.
+
+        :param result: of the episode.
+        """
+        self.recorder.store_result(result)
+        self.results.append(result)

@@ -1,0 +1,92 @@
+"""The newest message of each input, and what keeps a robot from acting on them."""
+
+from typing import Any
+
+from socialnav.controller_settings import ControllerSettings
+from socialnav.stamps import nanoseconds_of
+
+NAMES = ('odom', 'pedestrians', 'obstacles', 'goal_pose')
+AGEING = ('odom', 'pedestrians')
+
+
+class Inputs:
+    """
+    Messages as they come.
+
+    odom and pedestrians age; obstacles only where a time-out is set; a goal never does.
+    """
+
+    def __init__(self) -> None:
+        self._newest: dict[str, Any] = {}
+        self._unread: set[str] = set()
+
+    def store(self, name: str, message: Any) -> None:
+        """
+        Keep a message in place of the earlier one.
+
+        :param name: one of NAMES.
+        :param message: it has a header.
+        """
+        self._newest[name] = message
+        self._unread.add(name)
+
+    def newest(self, name: str) -> Any:
+        """
+        Return the newest message of an input, or None.
+
+        :param name: one of NAMES.
+        """
+        return self._newest.get(name)
+
+    def stamp(self, name: str) -> int:
+        """
+        Return the time of the newest message of an input, ns, 0 where there is none.
+
+        :param name: one of NAMES.
+        """
+        message = self._newest.get(name)
+        return 0 if message is None else nanoseconds_of(message.header.stamp)
+
+    def take_complete_state(self) -> bool:
+        """Return whether all inputs came with one stamp since the last such state; take them."""
+        complete = len(self._unread) == len(NAMES)
+        if complete and len({self.stamp(name) for name in NAMES}) == 1:
+            self._unread.clear()
+            return True
+        return False
+
+    def complaint(self, now: int, settings: ControllerSettings) -> str | None:
+        """
+        Return why the inputs cannot be acted on, or None.
+
+        :param now: ns, on the clock of the stamps.
+        :param settings: time-outs and what is required.
+        """
+        for name in (*AGEING, 'goal_pose'):
+            if name not in self._newest:
+                return f'no {name}'
+        if settings.require_obstacles and 'obstacles' not in self._newest:
+            return 'no obstacles'
+        if settings.lockstep:
+            return None
+        timeouts = dict.fromkeys(AGEING, settings.input_timeout)
+        if settings.obstacles_timeout > 0 and 'obstacles' in self._newest:
+            timeouts['obstacles'] = settings.obstacles_timeout
+        ages = {name: (now - self.stamp(name)) * 1e-9 for name in timeouts}
+        complaints = (age_complaint(name, ages[name], timeouts[name]) for name in timeouts)
+        return next(filter(None, complaints), None)
+
+
+def age_complaint(name: str, age: float, timeout: float) -> str | None:
+    """
+    Return what is wrong with the age of an input, or None.
+
+    :param name: the input.
+    :param age: s, negative in the future.
+    :param timeout: the largest age, s; a stamp as far in the future is as bad.
+    """
+    if age > timeout:
+        return f'{name} older than {timeout:g} s'
+    if age < -timeout:
+        return f'{name} from the future: are the clocks in step?'
+    return None

@@ -1,0 +1,75 @@
+"""From the name of a model to a policy that is ready to decide."""
+
+from pathlib import Path
+from typing import Any
+
+from ament_index_python.packages import get_package_share_directory
+import numpy as np
+import torch
+
+from socialnav.controller_settings import ControllerSettings
+from socialnav.conversions import RobotBody
+from socialnav_core.config import ConfigError
+from socialnav_core.policies import Policy, load_policy
+from socialnav_core.states import CrowdState
+
+BASELINES = ('orca', 'straight_line')
+"""Policies that are no models: nothing is looked up for them."""
+SCREENING = {'model': None, 'on': True, 'off': False}
+
+
+def ready_policy(values: dict[str, Any], settings: ControllerSettings) -> Policy:
+    """
+    Return a policy that has decided once, so that its first real decision is not a slow one.
+
+    :param values: all parameters of the policy node.
+    :param settings: what the robot is like.
+    :raises ValueError: no such model, a damaged one, or one for another kind of robot.
+    """
+    torch.set_num_threads(values['threads'])
+    policy = load_policy(
+        installed(values['model']),
+        lookahead=None if values['model'] in BASELINES else 'constant_velocity',
+        screening=SCREENING[values['screening']],
+    )
+    if policy.kinematics != settings.kinematics:
+        raise ConfigError(
+            f'model {values["model"]} drives a {policy.kinematics} robot, not a '
+            f'{settings.kinematics} one: change the parameter kinematics or the model'
+        )
+    policy.act(example_state(settings.body))
+    policy.reset()
+    return policy
+
+
+def installed(model: str) -> str:
+    """
+    Return the folder of a model of this package, or the name as it is where there is none.
+
+    :param model: its name.
+    """
+    folder = Path(get_package_share_directory('socialnav')) / 'models' / model
+    return str(folder) if folder.is_dir() else model
+
+
+def example_state(body: RobotBody) -> CrowdState:
+    """
+    Return a robot with a pedestrian and an obstacle near by, batch of one.
+
+    :param body: of the robot.
+    """
+    return CrowdState(
+        robot_position=np.zeros((1, 2)),
+        robot_velocity=np.zeros((1, 2)),
+        robot_heading=np.zeros(1),
+        robot_radius=np.array([body.radius]),
+        robot_preferred_speed=np.array([body.preferred_speed]),
+        robot_goal=np.array([[4.0, 0.0]]),
+        position=np.array([[[2.0, 1.0], [2.0, -1.0]]]),
+        velocity=np.array([[[-1.0, 0.0], [0.0, 0.0]]]),
+        radius=np.full((1, 2), 0.3),
+        static=np.array([[False, True]]),
+        valid=np.ones((1, 2), dtype=bool),
+        bounds=np.array([body.bounds]),
+        time=np.zeros(1),
+    )

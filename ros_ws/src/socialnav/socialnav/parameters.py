@@ -1,0 +1,220 @@
+"""Every parameter of every node, in one table each: name, default, range, unit, description."""
+
+import dataclasses
+import math
+from typing import Any
+
+from rcl_interfaces.msg import (
+    FloatingPointRange,
+    IntegerRange,
+    ParameterDescriptor,
+    SetParametersResult,
+)
+from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException
+from rclpy.node import Node
+
+DEFAULT_MODEL = 'sarl'
+
+
+class ParameterError(ValueError):
+    """A parameter that a node cannot start with; the text is one line that says what to do."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Entry:
+    """One parameter."""
+
+    name: str
+    """Its name."""
+    default: Any
+    """Its default, which fixes its type."""
+    description: str
+    """What it does."""
+    unit: str = ''
+    """Unit, if it has one."""
+    range: tuple[float, float] | None = None
+    """Smallest and largest value."""
+    choices: tuple[str, ...] = ()
+    """All values of a text that has only few."""
+    live: bool = False
+    """Whether it can be changed while the node runs."""
+
+
+KINEMATICS = ('holonomic', 'differential')
+
+SIMULATOR_PARAMETERS = (
+    Entry('scenario', 'hard', 'world to simulate; `socialnav scenarios` lists them'),
+    Entry('seed', 0, 'seed of the test cases 0, 1, 2, ...', range=(0, 2**62)),
+    Entry('episodes', 0, 'episodes to run before the world stands; 0: endless', range=(0, 2**31)),
+    Entry('lockstep', False, 'one step of the world per command instead of real time'),
+    Entry('real_time_factor', 1.0, 'simulated time per real time', '', (0.01, 100.0), live=True),
+    Entry('publish_rate', 20.0, 'states published per second (real time)', 'Hz', (1.0, 1000.0)),
+    Entry(
+        'cmd_vel_timeout', 0.5, 'simulated time without a command after which the robot brakes',
+        's', (0.05, 10.0), live=True,
+    ),
+    Entry('kinematics', 'holonomic', 'how the robot moves', choices=KINEMATICS),
+    Entry('robot_visible', False, 'whether pedestrians see the robot and avoid it'),
+    Entry('enable_stamped_cmd_vel', False, 'TwistStamped instead of Twist; lockstep always does'),
+    Entry('publish_clock', False, 'publish /clock and stamp everything with simulated time'),
+    Entry('map_frame', 'map', 'frame of the map; it coincides with odom_frame'),
+    Entry('odom_frame', 'odom', 'frame of everything else'),
+    Entry('base_frame', 'base_link', 'frame of the robot'),
+)  # fmt: skip
+
+POLICY_PARAMETERS = (
+    Entry('model', DEFAULT_MODEL, 'name in the share folder, path, `orca` or `straight_line`'),
+    Entry(
+        'screening', 'model', 'refuse actions that lead into a collision; model: as it was saved',
+        choices=('model', 'on', 'off'),
+    ),
+    Entry('lockstep', False, 'decide once per state of a simulator in lockstep'),
+    Entry('scenario', 'hard', 'world that gives radius, speed and bounds in lockstep'),
+    Entry('controller_frequency', 10.0, 'decisions per second', 'Hz', (1.0, 100.0)),
+    Entry(
+        'input_timeout', 0.5, 'age of odom or pedestrians at which the robot stops',
+        's', (0.05, 10.0), live=True,
+    ),
+    Entry(
+        'obstacles_timeout', 0.0, 'age of obstacles at which the robot stops; 0: they do not age',
+        's', (0.0, 3600.0), live=True,
+    ),
+    Entry('require_obstacles', False, 'stand until obstacles have come', live=True),
+    Entry(
+        'stop_publish_timeout', 10.0, 'go silent after nothing but stops for so long; 0: never',
+        's', (0.0, 3600.0), live=True,
+    ),
+    Entry(
+        'bounds', math.inf, 'half-width of the square around the origin not to be left',
+        'm', (0.1, math.inf), live=True,
+    ),
+    Entry('robot_radius', 0.3, 'radius of the robot', 'm', (0.05, 5.0), live=True),
+    Entry('preferred_speed', 1.0, 'speed to drive at', 'm/s', (0.05, 5.0), live=True),
+    Entry('kinematics', 'holonomic', 'how the robot moves', choices=KINEMATICS),
+    Entry('max_speed', 1.0, 'no command is faster', 'm/s', (0.0, 5.0), live=True),
+    Entry(
+        'max_acceleration', math.inf, 'no command changes the velocity faster',
+        'm/s^2', (0.01, math.inf), live=True,
+    ),
+    Entry('max_turn_rate', math.pi, 'no command turns faster', 'rad/s', (0.0, 20.0), live=True),
+    Entry(
+        'goal_tolerance', 0.3, 'distance to the goal at which it is reached',
+        'm', (0.01, 5.0), live=True,
+    ),
+    Entry('max_agents', 20, 'only the nearest so many agents count', '', (1, 1000), live=True),
+    Entry('planning_frame', 'odom', 'frame that all inputs must be in'),
+    Entry('base_frame', 'base_link', 'frame of stamped commands'),
+    Entry('enable_stamped_cmd_vel', False, 'TwistStamped instead of Twist; lockstep always does'),
+    Entry('threads', 1, 'threads of a decision', '', (1, 64)),
+)  # fmt: skip
+
+
+def requirement(entry: Entry) -> str:
+    """
+    Return what a value must be, in words.
+
+    :param entry: the parameter.
+    """
+    if entry.choices:
+        return f'must be one of {", ".join(entry.choices)}'
+    kind = {bool: 'true or false', int: 'a whole number', str: 'a text'}.get(
+        type(entry.default), 'a number with a decimal point'
+    )
+    if entry.range is None:
+        return f'must be {kind}'
+    low, high = entry.range
+    return f'must be {kind} in [{low:g}, {high:g}]{" " + entry.unit if entry.unit else ""}'
+
+
+def complaint(entry: Entry, value: object) -> str | None:
+    """
+    Return what is wrong with a value of the right type, or None.
+
+    :param entry: the parameter.
+    :param value: what was given.
+    """
+    low, high = entry.range or (-math.inf, math.inf)
+    if entry.choices and value not in entry.choices:
+        return f'{entry.name} {requirement(entry)}, not {value!r}'
+    if entry.range and not low <= value <= high:  # type: ignore[operator]
+        return f'{entry.name} {requirement(entry)}, not {value!r}'
+    return None
+
+
+def descriptor(entry: Entry) -> ParameterDescriptor:
+    """
+    Return what `ros2 param describe` shows.
+
+    :param entry: the parameter.
+    """
+    unit = f' [{entry.unit}]' if entry.unit else ''
+    result = ParameterDescriptor(name=entry.name, description=entry.description + unit)
+    result.additional_constraints = requirement(entry)
+    if entry.range and isinstance(entry.default, int):
+        low, high = entry.range
+        result.integer_range = [IntegerRange(from_value=int(low), to_value=int(high), step=1)]
+    elif entry.range:
+        low, high = entry.range
+        result.floating_point_range = [FloatingPointRange(from_value=low, to_value=high)]
+    return result
+
+
+def declare(node: Node, table: tuple[Entry, ...]) -> dict[str, Any]:
+    """
+    Declare all parameters of a node and return their values.
+
+    From then on, a change is refused unless the entry is live and the value in its range.
+
+    :param node: whose parameters they are.
+    :param table: the entries.
+    :raises ParameterError: a value of the wrong type or outside of its range.
+    """
+    values = {entry.name: declared(node, entry) for entry in table}
+    node.add_on_set_parameters_callback(lambda changes: judged(table, changes))
+    return values
+
+
+def declared(node: Node, entry: Entry) -> Any:
+    """
+    Declare one parameter and return its value.
+
+    :param node: whose parameter it is.
+    :param entry: the parameter.
+    """
+    try:
+        value = node.declare_parameter(entry.name, entry.default, descriptor(entry)).value
+    except InvalidParameterTypeException:
+        raise ParameterError(f'{entry.name} {requirement(entry)}') from None
+    except InvalidParameterValueException as error:
+        raise ParameterError(f'{entry.name} {requirement(entry)} ({error})') from None
+    if (text := complaint(entry, value)) is not None:
+        raise ParameterError(text)
+    return value
+
+
+def judged(table: tuple[Entry, ...], changes: list) -> SetParametersResult:
+    """
+    Return whether changes of a running node are accepted, and why not.
+
+    :param table: the entries.
+    :param changes: parameters of rclpy.
+    """
+    entries = {entry.name: entry for entry in table}
+    for change in changes:
+        entry = entries.get(change.name)
+        reason = None if entry is None else refusal(entry, change.value)
+        if reason is not None:
+            return SetParametersResult(successful=False, reason=reason)
+    return SetParametersResult(successful=True)
+
+
+def refusal(entry: Entry, value: object) -> str | None:
+    """
+    Return why a running node refuses a value, or None.
+
+    :param entry: the parameter.
+    :param value: what it should become.
+    """
+    if not entry.live:
+        return f'{entry.name} cannot change while the node runs: start it with another value'
+    return complaint(entry, value)

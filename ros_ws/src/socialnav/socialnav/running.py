@@ -1,0 +1,57 @@
+"""Run a node until it is told to stop, and let it say its last word."""
+
+from collections.abc import Callable
+import signal
+import sys
+import threading
+
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.signals import SignalHandlerOptions
+
+WAKE_UP = 0.05
+"""How often a waiting node looks whether it should stop, s."""
+
+
+def run(build: Callable[[], Node]) -> int:
+    """
+    Build a node, spin it until SIGINT or SIGTERM and return the exit code of the process.
+
+    The signals are taken here and not by rclpy, whose handlers end publishing at once.
+
+    :param build: makes the node, which has a method close(); a ValueError that it raises is the
+        user's mistake and becomes one line.
+    """
+    stop = threading.Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: stop.set())
+    rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+    try:
+        try:
+            node = build()
+        except ValueError as error:
+            print(f'error: {error}', file=sys.stderr)
+            return 1
+        spin(node, stop)
+    finally:
+        rclpy.try_shutdown()
+    return 0
+
+
+def spin(node: Node, stop: threading.Event) -> None:
+    """
+    Serve a node until it should stop, then close it.
+
+    :param node: it has close(), which may still publish.
+    :param stop: set when it should stop.
+    """
+    executor = SingleThreadedExecutor()
+    executor.add_node(node)
+    try:
+        while not stop.is_set():
+            executor.spin_once(timeout_sec=WAKE_UP)
+    finally:
+        node.close()  # type: ignore[attr-defined]
+        executor.shutdown()
+        node.destroy_node()

@@ -1,0 +1,248 @@
+"""The node that simulates a crowd and a robot, in real time or in lockstep with the policy."""
+
+from collections import deque
+import sys
+from typing import Any
+
+from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
+from nav_msgs.msg import OccupancyGrid, Odometry
+from rclpy.clock import Clock, ClockType
+from rclpy.event_handler import PublisherEventCallbacks
+from rclpy.node import Node
+from rosgraph_msgs.msg import Clock as ClockMessage
+from std_srvs.srv import SetBool
+from visualization_msgs.msg import MarkerArray
+
+from socialnav import qos
+from socialnav.commands import command_array
+from socialnav.conversions import ConversionError, goal_array
+from socialnav.markers import world_markers
+from socialnav.occupancy import map_message
+from socialnav.parameters import SIMULATOR_PARAMETERS, declare
+from socialnav.running import run
+from socialnav.simulator_settings import simulator_settings
+from socialnav.stamps import nanoseconds_of, time_message
+from socialnav.world import World
+from socialnav.world_messages import moving_messages, result_message, standing_messages
+from socialnav_msgs.msg import AgentStates, EpisodeResult
+from socialnav_msgs.srv import StartEpisode
+
+OWN_GOALS = 100
+"""Number of latest own goals that are recognised when they come back."""
+
+
+class SimulatorNode(Node):
+    """Publishes the world and drives its robot as commanded."""
+
+    def __init__(self) -> None:
+        """
+        Begin the first episode.
+
+        :raises ValueError: a parameter that cannot be used.
+        """
+        super().__init__('simulator_node')
+        self.values = declare(self, SIMULATOR_PARAMETERS)
+        self.add_post_set_parameters_callback(self.on_parameters)
+        self.settings = simulator_settings(self.values)
+        self.lockstep, self.frames = self.settings.lockstep, self.settings.frames
+        self.own_goals: deque[int] = deque(maxlen=OWN_GOALS)
+        self.world = World(
+            self.settings.scenario(self.values['scenario']),
+            self.values['seed'],
+            self.values['episodes'],
+            self.get_clock().now().nanoseconds,
+        )
+        self.world.command_timeout = self.settings.command_timeout
+        self.create_outputs()
+        self.create_inputs()
+        self.create_pace()
+        self.publish_state()
+
+    def create_outputs(self) -> None:
+        """Make the publishers."""
+        goal_events = PublisherEventCallbacks(matched=self.on_goal_subscriber)
+        self.outputs = {
+            'goal_pose': self.create_publisher(
+                PoseStamped, 'goal_pose', qos.GOAL, event_callbacks=goal_events
+            ),
+            'obstacles': self.create_publisher(AgentStates, 'obstacles', qos.OBSTACLES),
+            'pedestrians': self.create_publisher(AgentStates, 'pedestrians', qos.PEDESTRIANS),
+            'odom': self.create_publisher(Odometry, 'odom', qos.ODOMETRY),
+            'map': self.create_publisher(OccupancyGrid, 'map', qos.MAP),
+        }
+        self.markers = self.create_publisher(MarkerArray, 'markers', qos.MARKERS)
+        self.results = self.create_publisher(EpisodeResult, 'episode_result', qos.EPISODE_RESULT)
+        self.clocks = None
+        if self.settings.publish_clock:
+            self.clocks = self.create_publisher(ClockMessage, '/clock', qos.CLOCK)
+
+    def create_inputs(self) -> None:
+        """Make subscriptions and services."""
+        if self.settings.stamped:
+            self.create_subscription(TwistStamped, 'cmd_vel', self.on_stamped, qos.COMMAND)
+        else:
+            self.create_subscription(Twist, 'cmd_vel', self.on_command, qos.COMMAND)
+        self.create_subscription(PoseStamped, 'goal_pose', self.on_goal, qos.GOAL)
+        self.create_service(StartEpisode, '~/start_episode', self.on_start_episode)
+        self.create_service(SetBool, '~/pause', self.on_pause)
+
+    def create_pace(self) -> None:
+        """Make the timer: each tick of it is a step, or in lockstep a look for a lost message."""
+        steady = Clock(clock_type=ClockType.STEADY_TIME)
+        callback = self.on_no_answer if self.lockstep else self.on_tick
+        self.pace = self.create_timer(self.settings.timer_period, callback, clock=steady)
+
+    def on_parameters(self, parameters: list) -> None:
+        """
+        Use parameters that were changed.
+
+        :param parameters: of rclpy.
+        """
+        self.values.update({one.name: one.value for one in parameters})
+        self.settings = simulator_settings(self.values)
+        self.world.command_timeout = self.settings.command_timeout
+
+    def on_tick(self) -> None:
+        """Let time pass."""
+        if not self.world.standing:
+            self.world.advance(self.settings.tick_duration)
+            self.publish_advance()
+
+    def on_no_answer(self) -> None:
+        """Publish the state again: it or its answer may have been lost, or nobody was there."""
+        if not self.world.standing:
+            self.publish_state()
+
+    def on_stamped(self, message: TwistStamped) -> None:
+        """
+        Take a command with a time.
+
+        :param message: in lockstep, its stamp tells which state it answers.
+        """
+        self.on_command(message.twist, nanoseconds_of(message.header.stamp))
+
+    def on_command(self, message: Twist, stamp: int = 0) -> None:
+        """
+        Take a command; in lockstep, let the world advance.
+
+        :param message: in base_link.
+        :param stamp: time of the state that it answers, ns.
+        """
+        try:
+            command = command_array(message, self.world.scenario.kinematics)
+        except ConversionError as error:
+            self.get_logger().warning(f'ignored: {error}', throttle_duration_sec=1.0)
+            return
+        if not self.lockstep:
+            self.world.drive(command)
+        elif self.world.answer(command, stamp):
+            self.pace.reset()
+            self.publish_advance()
+
+    def on_goal(self, message: PoseStamped) -> None:
+        """
+        Send the robot to a goal that somebody else set, in either frame since they coincide.
+
+        :param message: the goal.
+        """
+        if nanoseconds_of(message.header.stamp) in self.own_goals:
+            return
+        frame = message.header.frame_id
+        try:
+            wanted = frame if frame == self.frames.map else self.frames.odom
+            self.world.set_goal(goal_array(message, wanted))
+        except ConversionError as error:
+            self.get_logger().warning(f'ignored: {error}', throttle_duration_sec=1.0)
+            return
+        if not self.lockstep:
+            self.publish(standing_messages(self.world.state, self.stamp(), self.frames))
+
+    def on_goal_subscriber(self, event: Any) -> None:
+        """
+        Tell a newcomer the goal, which is volatile.
+
+        :param event: how many subscribers there are.
+        """
+        if event.current_count_change > 0 and not self.world.standing:
+            if self.lockstep:
+                self.publish_state()
+            else:
+                self.outputs['goal_pose'].publish(self.goal)
+
+    def on_start_episode(
+        self, request: StartEpisode.Request, response: StartEpisode.Response
+    ) -> StartEpisode.Response:
+        """
+        Begin a case at once.
+
+        :param request: names it.
+        :param response: tells whether it exists.
+        """
+        try:
+            scenario = self.settings.scenario(request.scenario or self.world.scenario.name)
+            self.world.begin(scenario, request.seed, request.case_index)
+        except ValueError as error:
+            response.success, response.message = False, str(error)
+            return response
+        response.success, response.message = True, f'case {request.case_index} has begun'
+        self.publish_state()
+        return response
+
+    def on_pause(self, request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
+        """
+        Stop time, or let it go on.
+
+        :param request: true stops it.
+        :param response: what time does now.
+        """
+        self.world.paused = request.data
+        response.success, response.message = True, 'paused' if request.data else 'running'
+        return response
+
+    def stamp(self) -> int:
+        """Return the time of the present state, ns."""
+        now = self.get_clock().now().nanoseconds
+        return self.world.clock if self.settings.simulated_time else now
+
+    def publish_advance(self) -> None:
+        """Publish what the latest advance led to."""
+        stamp = self.publish_state()
+        if self.world.episode is not None:
+            self.results.publish(result_message(self.world.episode, stamp, self.frames))
+            if self.world.done:
+                self.get_logger().info('all episodes are done')
+
+    def publish_state(self) -> int:
+        """Publish the present state and return its stamp."""
+        state, stamp = self.world.state, self.stamp()
+        if self.clocks is not None:
+            self.clocks.publish(ClockMessage(clock=time_message(stamp)))
+        if self.world.fresh:
+            self.publish({'map': map_message(state, stamp, self.frames.map)})
+        if self.world.fresh or self.lockstep:
+            self.publish(standing_messages(state, stamp, self.frames))
+        self.publish(moving_messages(state, stamp, self.frames))
+        if self.markers.get_subscription_count():
+            tolerance = self.world.scenario.goal_tolerance
+            self.markers.publish(world_markers(state, tolerance, stamp, self.frames.odom))
+        return stamp
+
+    def publish(self, messages: dict[str, Any]) -> None:
+        """
+        Publish messages; remember goals, which come back.
+
+        :param messages: by topic.
+        """
+        if 'goal_pose' in messages:
+            self.goal = messages['goal_pose']
+            self.own_goals.append(nanoseconds_of(self.goal.header.stamp))
+        for name, message in messages.items():
+            self.outputs[name].publish(message)
+
+    def close(self) -> None:
+        """Do nothing: a simulator has no last word."""
+
+
+def main() -> None:
+    """Run the node."""
+    sys.exit(run(SimulatorNode))

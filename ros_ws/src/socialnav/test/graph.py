@@ -1,0 +1,80 @@
+"""What tests see of the graph: a node of their own, and processes that they start."""
+
+from collections.abc import Callable
+import os
+import signal
+import subprocess
+import time
+from typing import Any
+
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.qos import QoSProfile
+
+from socialnav.children import command_line
+
+DEADLINE = 20.0
+"""Time that anything may take before a test fails, s."""
+
+
+class Graph:
+    """A node that collects messages, and the processes of a test."""
+
+    def __init__(self) -> None:
+        self.node = rclpy.create_node('probe')
+        self.executor = SingleThreadedExecutor()
+        self.executor.add_node(self.node)
+        self.processes: list[subprocess.Popen] = []
+
+    def start(self, name: str, **parameters: object) -> subprocess.Popen:
+        """Start a node of the package; it is killed at the end of the test at the latest."""
+        process = subprocess.Popen(
+            ['timeout', '-k', '5', '120', *command_line(name, parameters)],
+            stderr=subprocess.PIPE, text=True, env=dict(os.environ), start_new_session=True,
+        )  # fmt: skip
+        self.processes.append(process)
+        return process
+
+    def listen(self, kind: type, topic: str, profile: QoSProfile | int = 1000) -> list:
+        """Return a list that grows with every message of a topic."""
+        messages: list = []
+        self.node.create_subscription(kind, topic, messages.append, profile)
+        return messages
+
+    def wait(self, condition: Callable[[], Any], what: str, deadline: float = DEADLINE) -> Any:
+        """Spin until a condition holds and return its value; fail when it takes too long."""
+        end = time.monotonic() + deadline
+        while not (value := condition()):
+            assert time.monotonic() < end, f'no {what} within {deadline:g} s'
+            self.executor.spin_once(timeout_sec=0.02)
+        return value
+
+    def spin(self, duration: float) -> None:
+        """Spin for some time, to see that something does not happen."""
+        end = time.monotonic() + duration
+        while time.monotonic() < end:
+            self.executor.spin_once(timeout_sec=0.02)
+
+    def call(self, kind: type, name: str, request: Any) -> Any:
+        """Call a service and return its response."""
+        client = self.node.create_client(kind, name)
+        self.wait(client.service_is_ready, f'service {name}')
+        future = client.call_async(request)
+        self.wait(future.done, f'response of {name}')
+        return future.result()
+
+    def close(self) -> None:
+        """Kill what was started and leave."""
+        for process in self.processes:
+            kill(process)
+            process.communicate()
+        self.executor.shutdown()
+        self.node.destroy_node()
+
+
+def kill(process: subprocess.Popen, number: int = signal.SIGKILL) -> None:
+    """Send a signal to a node, not only to the guard around it."""
+    try:
+        os.killpg(process.pid, number)
+    except ProcessLookupError:
+        pass

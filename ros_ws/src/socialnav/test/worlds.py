@@ -1,0 +1,42 @@
+"""Small worlds for tests."""
+
+import numpy as np
+
+from socialnav.conversions import RobotBody, agents_message, goal_message, odometry_message
+from socialnav_core.states import CrowdState
+
+BODY = RobotBody(radius=0.3, preferred_speed=1.0, bounds=7.5)
+
+
+def random_state(seed: int, pedestrians: int = 3, obstacles: int = 2) -> CrowdState:
+    """Return a world in which nothing is round, batch of one."""
+    generator = np.random.default_rng(seed)
+    agents = pedestrians + obstacles
+    static = np.arange(agents)[None] >= pedestrians
+    velocity = generator.normal(size=(1, agents, 2))
+    velocity[static] = 0.0
+    return CrowdState(
+        robot_position=generator.normal(size=(1, 2)),
+        robot_velocity=generator.normal(size=(1, 2)),
+        robot_heading=generator.uniform(-np.pi, np.pi, 1),
+        robot_radius=np.array([BODY.radius]),
+        robot_preferred_speed=np.array([BODY.preferred_speed]),
+        robot_goal=generator.normal(size=(1, 2)) + 5.0,
+        position=generator.normal(scale=3.0, size=(1, agents, 2)),
+        velocity=velocity,
+        radius=generator.uniform(0.2, 0.5, (1, agents)),
+        static=static,
+        valid=np.ones((1, agents), dtype=bool),
+        bounds=np.array([BODY.bounds]),
+        time=np.array([0.5]),
+    )
+
+
+def messages_of(state: CrowdState, stamp: int = 0, frame: str = 'odom') -> dict:
+    """Return the four inputs of a policy."""
+    return {
+        'odom': odometry_message(state, stamp, frame, 'base_link'),
+        'goal_pose': goal_message(state, stamp, frame),
+        'pedestrians': agents_message(state, False, stamp, frame),
+        'obstacles': agents_message(state, True, stamp, frame),
+    }
