@@ -1,0 +1,82 @@
+"""What every policy is, and how one is found by its name."""
+
+import dataclasses
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+
+from socialnav_core.config import ConfigError
+from socialnav_core.policies.checkpoint import WEIGHTS, CheckpointError, load_checkpoint
+from socialnav_core.policies.lookahead import ValuePolicy
+from socialnav_core.policies.orca_policy import OrcaPolicy
+from socialnav_core.policies.straight_line import StraightLinePolicy
+from socialnav_core.states import CrowdState
+
+
+class Policy(Protocol):
+    """Chooses a command for the robot of each world."""
+
+    kinematics: str
+    """holonomic: commands are (vx, vy) in the world frame, m/s; differential: (speed, turn rate)."""
+
+    def act(self, state: CrowdState) -> np.ndarray:
+        """
+        Return the commands, float64 (batch, 2).
+
+        :param state: the worlds as they are.
+        """
+        ...
+
+    def reset(self) -> None:
+        """Forget what was seen; a new episode begins."""
+        ...
+
+
+MODELS = Path(__file__).parents[2] / 'models'
+"""Checkpoints of a checkout; an installed package has none and takes folders only."""
+
+
+def load_policy(
+    model: str | Path,
+    lookahead: str | None = None,
+    screening: bool | None = None,
+    safety_space: float = 0.15,
+) -> Policy:
+    """
+    Return a policy that is ready to act.
+
+    :param model: orca, straight_line, the folder of a checkpoint or the name of one in models/.
+    :param lookahead: overrides the checkpoint's: constant_velocity or oracle.
+    :param screening: overrides the checkpoint's.
+    :param safety_space: of orca, m.
+    :raises CheckpointError: when there is no such model or it is damaged.
+    :raises ConfigError: when orca or straight_line are asked for a look-ahead or screening.
+    """
+    if model in ('orca', 'straight_line'):
+        if lookahead is not None or screening is not None:
+            raise ConfigError(f'{model} has neither look-ahead nor screening')
+        return OrcaPolicy(safety_space) if model == 'orca' else StraightLinePolicy()
+    network, config = load_checkpoint(find_model(model))
+    policy = config.policy
+    if lookahead is not None:
+        policy = dataclasses.replace(policy, lookahead=lookahead)
+    if screening is not None:
+        switch = dataclasses.replace(policy.screening, enabled=screening)
+        policy = dataclasses.replace(policy, screening=switch)
+    return ValuePolicy(network, policy)
+
+
+def find_model(model: str | Path) -> Path:
+    """
+    Return the folder of a checkpoint.
+
+    :param model: a folder, or the name of one in models/.
+    :raises CheckpointError: when there is none; names those that there are.
+    """
+    for folder in (Path(model), MODELS / model):
+        if (folder / WEIGHTS).is_file():
+            return folder
+    known = sorted(path.parent.name for path in MODELS.glob(f'*/{WEIGHTS}'))
+    choices = ', '.join(['orca', 'straight_line', *known])
+    raise CheckpointError(f'no model {str(model)!r}: give the folder of a checkpoint or {choices}')

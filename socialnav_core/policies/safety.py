@@ -1,0 +1,131 @@
+"""Screening of actions: after a safe one there still is a way out (cf. Fiorini and Shiller 1998)."""
+
+from numba import njit
+import numpy as np
+
+from socialnav_core.config import ScreeningConfig
+from socialnav_core.simulation.kinematics import move_robot
+from socialnav_core.simulation.rewards import swept_distance
+from socialnav_core.states import CrowdState
+
+STANDING_SPEED = 0.1  # pedestrians slower than this, m/s, may start walking in any direction
+
+
+def safe_actions(
+    state: CrowdState,
+    commands: np.ndarray,
+    agent_velocity: np.ndarray,
+    kinematics: str,
+    time_step: float,
+    config: ScreeningConfig,
+    exact: bool = False,
+) -> np.ndarray:
+    """
+    Return which actions are safe, bool (batch, actions).
+
+    An action is safe when it is free of collisions itself and when, after it, one of the same
+    actions stays so for the horizon, everybody else keeping to the predicted velocity. Where no
+    action is safe, those free of collisions themselves are returned; where there is none of these
+    either, all are.
+
+    :param state: the worlds as they are.
+    :param commands: candidate commands, (batch, actions, 2).
+    :param agent_velocity: predicted velocities, m/s, (batch, agents, 2).
+    :param kinematics: holonomic or differential.
+    :param time_step: how long an action lasts, s.
+    :param config: horizon and margins.
+    :param exact: whether the prediction is exact, so that pedestrians need no margin of their own.
+    """
+    batch, actions = commands.shape[:2]
+    gaps = distances_to_keep(state, agent_velocity, config, exact)
+    displacement, _, heading = move_robot(
+        kinematics, state.robot_heading[:, None], commands, time_step
+    )
+    start = np.broadcast_to(state.robot_position[:, None], displacement.shape)
+    first = is_free(state, start, displacement, state.position, agent_velocity, time_step, gaps)
+
+    # every escape action after every action, (batch, actions * actions, ...)
+    position = state.position + agent_velocity * time_step
+    start = np.repeat(start + displacement, actions, axis=1)
+    heading = np.repeat(np.broadcast_to(heading, (batch, actions)), actions, axis=1)
+    escapes = np.tile(commands, (1, actions, 1))
+    # a straight line is checked in one piece, an arc in pieces that are nearly straight
+    pieces = 1 if kinematics == 'holonomic' else max(1, round(config.horizon / time_step))
+    duration = config.horizon / pieces
+    free = np.ones((batch, actions * actions), bool)
+    for _ in range(pieces):
+        displacement, _, heading = move_robot(kinematics, heading, escapes, duration)
+        free &= is_free(state, start, displacement, position, agent_velocity, duration, gaps)
+        start, position = start + displacement, position + agent_velocity * duration
+    escapable = first & free.reshape(batch, actions, actions).any(axis=-1)
+    fallback = np.where(first.any(axis=1, keepdims=True), first, True)
+    return np.where(escapable.any(axis=1, keepdims=True), escapable, fallback)
+
+
+def distances_to_keep(
+    state: CrowdState, agent_velocity: np.ndarray, config: ScreeningConfig, exact: bool
+) -> np.ndarray:
+    """
+    Return the distance of centres to keep from each agent, m, (batch, agents).
+
+    A pedestrian who is within its margin already must not come nearer, but may go away.
+
+    :param state: tells obstacles from pedestrians.
+    :param agent_velocity: predicted velocities, m/s, (batch, agents, 2).
+    :param config: the margins.
+    :param exact: whether the prediction is exact.
+    """
+    least = state.robot_radius[:, None] + state.radius + config.margin
+    if exact:
+        return least
+    standing = np.hypot(agent_velocity[..., 0], agent_velocity[..., 1]) < STANDING_SPEED
+    margin = np.where(standing, config.standing_margin, config.moving_margin)
+    wanted = least - config.margin + np.where(state.static, config.margin, margin)
+    distance = np.linalg.norm(state.position - state.robot_position[:, None], axis=-1)
+    return np.maximum(least, np.minimum(wanted, distance))
+
+
+def is_free(
+    state: CrowdState,
+    start: np.ndarray,
+    displacement: np.ndarray,
+    position: np.ndarray,
+    agent_velocity: np.ndarray,
+    duration: float,
+    gaps: np.ndarray,
+) -> np.ndarray:
+    """
+    Return whether straight motions of the robot touch nobody and no wall, bool (batch, motions).
+
+    :param state: masks, walls and the robot's radius.
+    :param start: of the motions, m, (batch, motions, 2).
+    :param displacement: m, (batch, motions, 2).
+    :param position: of the agents at the start, m, (batch, agents, 2).
+    :param agent_velocity: m/s, (batch, agents, 2).
+    :param duration: s.
+    :param gaps: distance of centres to keep from each agent, m, (batch, agents).
+    """
+    free = np.empty(displacement.shape[:2], bool)
+    limit = state.bounds - state.robot_radius
+    _check(start, displacement, position, agent_velocity * duration, gaps, state.valid, limit, free)
+    return free
+
+
+@njit(cache=True, nogil=True)
+def _check(start, displacement, position, movement, gaps, valid, limit, free):  # type: ignore[no-untyped-def]
+    """Fill the array of is_free."""
+    for world in range(free.shape[0]):
+        for k in range(free.shape[1]):
+            x, y = start[world, k, 0], start[world, k, 1]
+            move_x, move_y = displacement[world, k, 0], displacement[world, k, 1]
+            free[world, k] = max(abs(x + move_x), abs(y + move_y)) <= limit[world]
+            for i in range(position.shape[1]):
+                if not free[world, k]:
+                    break
+                if valid[world, i]:
+                    free[world, k] = gaps[world, i] <= swept_distance(
+                        position[world, i, 0] - x,
+                        position[world, i, 1] - y,
+                        movement[world, i, 0] - move_x,
+                        movement[world, i, 1] - move_y,
+                    )
