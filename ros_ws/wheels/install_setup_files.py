@@ -25,7 +25,7 @@ _socialnav_prepend() {{
 {prepend}
 
 unset -f _socialnav_prepend
-# The variables above are all that the wheels need, so Python need not start itself again with them.
+# With the variables above, Python need not start itself a second time to find the libraries.
 export _ROS_WHEELS_BOOTSTRAP_COMPLETE=1
 export COLCON_DEFAULTS_FILE={defaults}
 """
@@ -48,7 +48,7 @@ exec {python} {wheels}/ros2.py "$@"
 
 def search_paths(environment: Path, site_packages: Path) -> list[tuple[str, Path]]:
     """
-    Return the (variable, folder) pairs of an environment, the last of a variable to be found first.
+    Return (variable, folder) pairs; the last folder of a variable is searched first.
 
     :param environment: folder of the virtual environment.
     :param site_packages: where its packages are.

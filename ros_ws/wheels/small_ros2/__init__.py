@@ -1,1 +1,1 @@
-"""The commands of ros2cli that the project's pages use, over rclpy, for where ros2cli is not packaged."""
+"""Those commands of ros2cli that a user of this project needs, over rclpy alone."""
