@@ -1,0 +1,76 @@
+"""The `socialnav` command."""
+
+import argparse
+from collections.abc import Sequence
+import os
+import sys
+
+from socialnav_core.commands import compare, evaluate, models, render, scenarios, train
+from socialnav_core.commands.arguments import Parser
+from socialnav_core.config import ConfigError
+
+COMMANDS = (train, evaluate, compare, render, models, scenarios)
+"""Modules with `add_parser`, which names the function that runs the command."""
+
+FAILURE, USAGE, INTERRUPTED = 1, 2, 130
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """
+    Run a command and return the exit code: 0, 1 for a failure, 2 for a mistake in what was asked.
+
+    :param arguments: without the program's name; None for those of the process.
+    """
+    given = build_parser().parse_args(arguments)
+    os.environ.setdefault('OMP_NUM_THREADS', str(getattr(given, 'threads', 1)))
+    try:
+        given.run(given)
+    except ConfigError as error:
+        return complain(given, error, USAGE)
+    except KeyboardInterrupt:
+        return complain(given, 'interrupted', INTERRUPTED)
+    except BrokenPipeError:  # the reader of a pipe, such as `head`, has gone
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FAILURE
+    except expected_failures() as error:
+        return complain(given, error, FAILURE)
+    return 0
+
+
+def build_parser() -> argparse.ArgumentParser:
+    """Return the parser of all commands."""
+    parser = Parser(
+        prog='socialnav',
+        description='Train, evaluate and watch robots that find their way among people.',
+        epilog='`socialnav COMMAND --help` shows the options of a command and examples.',
+    )
+    commands = parser.add_subparsers(metavar='COMMAND', required=True)
+    for module in COMMANDS:
+        module.add_parser(commands)
+    return parser
+
+
+def expected_failures() -> tuple[type[Exception], ...]:
+    """Return the errors that are told in one line; others are defects and keep their traceback."""
+    from socialnav_core.policies import CheckpointError
+    from socialnav_core.simulation import PackingError
+    from socialnav_core.training import TrainingInterrupted
+
+    return (CheckpointError, PackingError, TrainingInterrupted, OSError)
+
+
+def complain(given: argparse.Namespace, error: object, code: int) -> int:
+    """
+    Write one line on stderr and return the exit code.
+
+    :param given: parsed arguments.
+    :param error: what is wrong and what to do.
+    :param code: exit code.
+    """
+    text = ' '.join(str(error).split())
+    print(f'socialnav {given.command}: {text}', file=sys.stderr)
+    return code
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""The commands of `socialnav`, a module each."""

@@ -1,0 +1,175 @@
+"""What several commands have in common: the parser and its options."""
+
+import argparse
+from collections.abc import Callable
+import math
+import sys
+from typing import Any, NoReturn
+
+from socialnav_core.config import LOOKAHEADS
+
+SPLITS = ('train', 'validation', 'test')
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser that reports a mistake in one line."""
+
+    def error(self, message: str) -> NoReturn:
+        """
+        Exit with code 2.
+
+        :param message: what is wrong.
+        """
+        self.exit(2, f'{self.prog}: {message}; see {self.prog} --help\n')
+
+
+def add_command(
+    commands: Any,
+    name: str,
+    run: Callable[[argparse.Namespace], None],
+    summary: str,
+    examples: str,
+) -> argparse.ArgumentParser:
+    """
+    Add a command and return its parser.
+
+    :param commands: what `add_subparsers` returned.
+    :param name: of the command.
+    :param run: runs it.
+    :param summary: one line.
+    :param examples: lines to type, without `socialnav` and the command's name.
+    """
+    lines = [f'  socialnav {name} {example}' for example in examples.splitlines()]
+    parser = commands.add_parser(
+        name,
+        help=summary,
+        description=summary,
+        epilog='\n'.join(['examples:', *lines]),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.set_defaults(run=run, command=name)
+    return parser
+
+
+def add_world_options(parser: argparse.ArgumentParser) -> None:
+    """
+    Add the options that say which cases are run, and how.
+
+    :param parser: of a command.
+    """
+    parser.add_argument(
+        '--scenario', required=True, metavar='NAME', help='world; see socialnav scenarios'
+    )
+    parser.add_argument(
+        '--seed', type=whole_number, default=0, metavar='N', help='seed of the cases (0)'
+    )
+    parser.add_argument(
+        '--split', choices=SPLITS, default='test', help='split of the cases (test)'
+    )
+    parser.add_argument(
+        '--lookahead',
+        choices=LOOKAHEADS,
+        help='prediction of the pedestrians, of models with a network (their own setting)',
+    )
+    parser.add_argument(
+        '--screening',
+        action=argparse.BooleanOptionalAction,
+        help='mask unsafe actions, of models with a network (their own setting)',
+    )
+    parser.add_argument(
+        '--safety-space', type=distance, default=0.15, metavar='M',
+        help='added to every radius by orca, m (0.15)',
+    )  # fmt: skip
+    add_set_option(parser, 'scenario.time_limit=35')
+    add_threads_option(parser)
+
+
+def add_set_option(parser: argparse.ArgumentParser, example: str) -> None:
+    """
+    Add `--set`.
+
+    :param parser: of a command.
+    :param example: an assignment, for the help.
+    """
+    parser.add_argument(
+        '--set',
+        nargs='+',
+        action='extend',
+        default=[],
+        metavar='KEY=VALUE',
+        dest='assignments',
+        help=f'change settings, such as {example}',
+    )
+
+
+def add_threads_option(parser: argparse.ArgumentParser) -> None:
+    """
+    Add `--threads`.
+
+    :param parser: of a command.
+    """
+    parser.add_argument(
+        '--threads', type=positive_number, default=1, metavar='N', help='processor threads (1)'
+    )
+
+
+def add_overwrite_option(parser: argparse.ArgumentParser) -> None:
+    """
+    Add `--overwrite`.
+
+    :param parser: of a command.
+    """
+    parser.add_argument('--overwrite', action='store_true', help='replace what exists')
+
+
+def positive_number(text: str) -> int:
+    """
+    Return a whole number of at least one.
+
+    :param text: as typed.
+    """
+    number = whole_number(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError('must be at least 1')
+    return number
+
+
+def whole_number(text: str) -> int:
+    """
+    Return a whole number of at least zero.
+
+    :param text: as typed.
+    """
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f'{text!r} is no whole number of at least 0')
+    return int(text)
+
+
+def distance(text: str) -> float:
+    """
+    Return a finite number of at least zero.
+
+    :param text: as typed.
+    """
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not 0 <= number < math.inf:
+        raise argparse.ArgumentTypeError(f'{text!r} is no distance of at least 0 m')
+    return number
+
+
+def progress_bar(total: int, description: str) -> Any:
+    """
+    Return a progress bar on stderr, silent where that is no terminal.
+
+    :param total: number of episodes.
+    :param description: what is under way.
+    """
+    from tqdm import tqdm
+
+    return tqdm(
+        total=total, desc=description, unit='episode', leave=False, dynamic_ncols=True,
+        disable=not sys.stderr.isatty(),
+    )  # fmt: skip

@@ -1,0 +1,61 @@
+"""`socialnav compare`: which of some policies is better, and whether that could be chance."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from socialnav_core.commands.arguments import (
+    add_command,
+    add_overwrite_option,
+    add_world_options,
+)
+from socialnav_core.commands.choices import chosen_scenario, open_policy
+from socialnav_core.commands.evaluate import add_episodes_option, described, measure
+from socialnav_core.commands.files import require_new, write_json
+from socialnav_core.config import ConfigError
+
+EXAMPLES = """sarl gat4sn --scenario hard
+sarl gat4sn orca --scenario crowd20 --episodes 5000 --json out/comparison.json"""
+
+
+def add_parser(commands: Any) -> None:
+    """
+    Add the command.
+
+    :param commands: what `add_subparsers` returned.
+    """
+    summary = (
+        "Run some policies on the same cases and print the paired differences (McNemar's test)."
+    )
+    parser = add_command(commands, 'compare', run, summary, EXAMPLES)
+    parser.add_argument(
+        'models', metavar='MODEL', nargs='+', help='folder, name in models/, orca or straight_line'
+    )
+    add_world_options(parser)
+    add_episodes_option(parser)
+    parser.add_argument('--json', type=Path, metavar='FILE', help='write all figures and cases')
+    add_overwrite_option(parser)
+
+
+def run(given: argparse.Namespace) -> None:
+    """
+    Run the command.
+
+    :param given: parsed arguments.
+    """
+    from socialnav_core.evaluation import compare
+    from socialnav_core.evaluation.report import comparison_text
+
+    if len(given.models) < 2 or len(set(given.models)) < len(given.models):
+        raise ConfigError('name two or more different models')
+    require_new(given.json, given)
+    scenario = chosen_scenario(given)
+    policies = {model: open_policy(model, given, several=True) for model in given.models}
+    results = [measure(model, policy, scenario, given) for model, policy in policies.items()]
+    comparisons = compare(results)
+    print(comparison_text(results, comparisons))
+    values = {
+        'results': [described(result, given) for result in results],
+        'comparisons': [comparison.to_mapping() for comparison in comparisons],
+    }
+    write_json(given.json, values)

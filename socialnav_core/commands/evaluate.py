@@ -1,0 +1,131 @@
+"""`socialnav evaluate`: how good a policy is."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from socialnav_core.commands.arguments import (
+    add_command,
+    add_overwrite_option,
+    add_world_options,
+    positive_number,
+    progress_bar,
+)
+from socialnav_core.commands.choices import chosen_scenario, open_policy
+from socialnav_core.commands.files import require_new, write_json
+from socialnav_core.config import ConfigError, Scenario
+from socialnav_core.settings import parse_assignments
+
+EXAMPLES = """orca --scenario hard --safety-space 0.15
+sarl --scenario crowd20 --episodes 5000 --json out/crowd20.json
+models/sarl --scenario hard --set scenario.time_limit=35 policy.headings=16
+out/sarl --scenario simple --lookahead oracle --no-screening --card"""
+
+
+def add_parser(commands: Any) -> None:
+    """
+    Add the command.
+
+    :param commands: what `add_subparsers` returned.
+    """
+    summary = 'Run a policy on unseen cases, each once, and print what came of it.'
+    parser = add_command(commands, 'evaluate', run, summary, EXAMPLES)
+    parser.add_argument(
+        'model', metavar='MODEL', help='folder, name in models/, orca or straight_line'
+    )
+    add_world_options(parser)
+    add_episodes_option(parser)
+    parser.add_argument('--json', type=Path, metavar='FILE', help='write all figures and cases')
+    parser.add_argument(
+        '--card', action='store_true', help="add the result to the model's metrics and card"
+    )
+    add_overwrite_option(parser)
+
+
+def add_episodes_option(parser: argparse.ArgumentParser) -> None:
+    """
+    Add `--episodes`.
+
+    :param parser: of a command.
+    """
+    parser.add_argument(
+        '--episodes', type=positive_number, default=500, metavar='N', help='cases (500)'
+    )
+
+
+def run(given: argparse.Namespace) -> None:
+    """
+    Run the command.
+
+    :param given: parsed arguments.
+    """
+    from socialnav_core.evaluation.report import evaluation_text
+
+    require_new(given.json, given)
+    require_plain_settings(given)
+    scenario = chosen_scenario(given)
+    policy = open_policy(given.model, given)
+    result = measure(given.model, policy, scenario, given)
+    print(evaluation_text(result))
+    values = described(result, given)
+    write_json(given.json, values)
+    if given.card:
+        update_card(given.model, values)
+
+
+def measure(model: str, policy: Any, scenario: Scenario, given: argparse.Namespace) -> Any:
+    """
+    Return the result of a policy.
+
+    :param model: its name.
+    :param policy: a Policy.
+    :param scenario: the world.
+    :param given: parsed arguments: episodes, seed, split.
+    """
+    from socialnav_core.evaluation import evaluate
+
+    with progress_bar(given.episodes, model) as bar:
+        return evaluate(
+            policy, scenario, given.episodes, given.seed, given.split, name=model,
+            progress=bar.update,
+        )  # fmt: skip
+
+
+def described(result: Any, given: argparse.Namespace) -> dict[str, Any]:
+    """
+    Return a result as plain values, with the settings that were changed.
+
+    :param result: of evaluate.
+    :param given: parsed arguments.
+    """
+    values = result.to_mapping()
+    cases = values.pop('cases')
+    values['settings'] = parse_assignments(given.assignments)
+    if result.model == 'orca':
+        values['settings']['safety_space'] = given.safety_space
+    return values | {'cases': cases}
+
+
+def require_plain_settings(given: argparse.Namespace) -> None:
+    """
+    Raise a ConfigError when a result for the model card is not one of the model as it is.
+
+    :param given: parsed arguments.
+    """
+    if given.card and given.assignments:
+        raise ConfigError('a card holds results of unchanged settings: drop --set or --card')
+
+
+def update_card(model: str, values: dict[str, Any]) -> None:
+    """
+    Add a result to the metrics and the card of a model.
+
+    :param model: a folder, or a name in models/.
+    :param values: the result.
+    """
+    from socialnav_core.policies.base import find_model
+    from socialnav_core.training import add_result, write_model_card
+
+    folder = find_model(model)
+    add_result(folder, values)
+    write_model_card(folder)

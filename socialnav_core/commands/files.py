@@ -1,0 +1,42 @@
+"""Files that commands write: never by accident over another, never in part."""
+
+import argparse
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from socialnav_core.config import ConfigError
+
+
+def require_new(path: Path | None, given: argparse.Namespace) -> None:
+    """
+    Raise a ConfigError unless a file can be written that does not exist or may be replaced.
+
+    :param path: of the file; None for no file.
+    :param given: parsed arguments of a command with `--overwrite`.
+    """
+    if path is None:
+        return
+    if path.is_dir():
+        raise ConfigError(f'{path} is a folder; name a file in it')
+    if path.exists() and not given.overwrite:
+        raise ConfigError(f'{path} exists; replace it by --overwrite or name another file')
+    parent = next(folder for folder in path.absolute().parents if folder.exists())
+    if not parent.is_dir() or not os.access(parent, os.W_OK):
+        raise ConfigError(f'{path} cannot be written: no right to write to {parent}')
+
+
+def write_json(path: Path | None, values: Any) -> None:
+    """
+    Write plain values, at once or not at all.
+
+    :param path: of the file, whose folder is made if needed; None for no file.
+    :param values: mappings, lists, text and numbers.
+    """
+    from socialnav_core.policies.checkpoint import atomic_write
+
+    if path is None:
+        return
+    path.parent.mkdir(parents=True, exist_ok=True)
+    atomic_write(path, f'{json.dumps(values, indent=2, allow_nan=False)}\n'.encode())

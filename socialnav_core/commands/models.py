@@ -1,0 +1,98 @@
+"""`socialnav models`: which trained models there are and how good they are."""
+
+import argparse
+import json
+from pathlib import Path
+from typing import Any
+
+from socialnav_core.commands.arguments import add_command
+from socialnav_core.config import ConfigError
+
+EXAMPLES = """
+out"""
+
+COLUMNS = ('name', 'network', 'parameters', 'trained in', 'success (time)', 'digest')
+HEADLINES = 4
+DIGEST_LENGTH = 12
+
+
+def add_parser(commands: Any) -> None:
+    """
+    Add the command.
+
+    :param commands: what `add_subparsers` returned.
+    """
+    summary = 'List the trained models with their results.'
+    parser = add_command(commands, 'models', run, summary, EXAMPLES)
+    parser.add_argument(
+        'folder', metavar='DIR', nargs='?', type=Path, help='folder of checkpoints (models/)'
+    )
+
+
+def run(given: argparse.Namespace) -> None:
+    """
+    Run the command.
+
+    :param given: parsed arguments.
+    """
+    from socialnav_core.evaluation.report import table
+    from socialnav_core.policies.base import MODELS
+    from socialnav_core.policies.checkpoint import WEIGHTS
+
+    parent = given.folder or MODELS
+    folders = sorted(path.parent for path in parent.glob(f'*/{WEIGHTS}'))
+    if not folders:
+        raise ConfigError(f'no models in {parent}; train one with socialnav train quick')
+    print(table([COLUMNS, *(row(folder) for folder in folders)]))
+
+
+def row(folder: Path) -> tuple[str, ...]:
+    """
+    Return the cells of COLUMNS for one model; of a damaged one, what is wrong with it.
+
+    :param folder: of the checkpoint.
+    """
+    from socialnav_core.policies.checkpoint import (
+        CheckpointError,
+        checkpoint_digest,
+        load_checkpoint,
+    )
+
+    try:
+        network, config = load_checkpoint(folder)
+    except CheckpointError as error:
+        return (folder.name, f'damaged: {error}', '', '', '', '')
+    parameters = sum(parameter.numel() for parameter in network.parameters())
+    heads = f' ({config.policy.heads} heads)' if config.policy.network == 'gat4sn' else ''
+    return (
+        folder.name,
+        config.policy.network + heads,
+        f'{parameters:,}',
+        config.scenario.name,
+        headlines(folder / 'metrics.json'),
+        checkpoint_digest(folder)[:DIGEST_LENGTH],
+    )
+
+
+def headlines(path: Path) -> str:
+    """
+    Return the first results of a model with its own settings, such as `hard 0.992 (10.97 s)`.
+
+    :param path: of its metrics; an absent file gives a dash.
+    """
+    if not path.is_file():
+        return '-'
+    results = json.loads(path.read_text(encoding='utf-8'))
+    plain = [result for key, result in results.items() if '+' not in key][:HEADLINES]
+    return ', '.join(headline(result) for result in plain) or '-'
+
+
+def headline(result: dict[str, Any]) -> str:
+    """
+    Return a result in a few words.
+
+    :param result: as in metrics.json.
+    """
+    time = result['navigation_time_mean']
+    seconds = '' if time is None else f' ({time:.2f} s)'
+    return f'{result["scenario"]} {result["success_rate"]:.3f}{seconds}'
