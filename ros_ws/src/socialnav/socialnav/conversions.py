@@ -154,7 +154,7 @@ def crowd_state(
     position, velocity, heading = robot_arrays(odometry, frame)
     walking = agent_arrays('pedestrians', pedestrians, frame, static=False)
     standing = agent_arrays('obstacles', obstacles, frame, static=True)
-    agents = [np.concatenate(pair)[None] for pair in zip(walking, standing)]
+    agents = [np.concatenate(pair)[None] for pair in zip(walking, standing, strict=True)]
     return CrowdState(
         robot_position=position[None],
         robot_velocity=velocity[None],

@@ -14,6 +14,7 @@ from rclpy.signals import SignalHandlerOptions
 from socialnav.children import Nodes, running_nodes
 from socialnav.demo_node import DemoNode
 from socialnav.demo_report import row, table, write_json
+from socialnav.episode_recorder import cause
 from socialnav.isolation import isolated_environment
 from socialnav.parameters import DEFAULT_MODEL
 from socialnav_core.simulation import make_scenario
@@ -147,9 +148,16 @@ def write_picture(listener: DemoNode, options: argparse.Namespace) -> None:
     :param options: of the command line.
     :raises DemoError: when no episode was recorded.
     """
-    from socialnav_core.evaluation.animation import write_gif  # matplotlib: only here, at the end
+    # here and not above: these load matplotlib and scipy, which would keep the nodes waiting
+    from socialnav_core.evaluation.animation import write_gif
+    from socialnav_core.evaluation.recording import Recording
 
-    recording = listener.recorder.recording(options.model)
-    if recording is None:
+    episode = listener.recorder.good_episode()
+    if episode is None:
         raise DemoError('no state was received')
+    result, states = episode
+    outcome = cause(states[-1]) if result.outcome == 'collision' else result.outcome
+    recording = Recording(
+        states, result.scenario, result.seed, result.case_index, outcome, options.model
+    )
     write_gif(recording, options.out / 'episode.gif')

@@ -41,7 +41,7 @@ def aligned(cells: tuple[str, ...]) -> str:
 
     :param cells: one for each heading.
     """
-    return '  '.join(cell.rjust(width) for cell, width in zip(cells, WIDTHS))
+    return '  '.join(cell.rjust(width) for cell, width in zip(cells, WIDTHS, strict=True))
 
 
 def table(results: list[EpisodeResult]) -> str:

@@ -7,7 +7,6 @@ import numpy as np
 
 from socialnav.conversions import RobotBody, crowd_state
 from socialnav.stamps import nanoseconds_of
-from socialnav_core.evaluation.recording import Recording
 from socialnav_core.simulation import make_scenario
 from socialnav_core.states import CrowdState
 from socialnav_msgs.msg import EpisodeResult
@@ -49,21 +48,13 @@ class EpisodeRecorder:
             end = nanoseconds_of(result.header.stamp)
             self._wanted_until = min(self._wanted_until, end)
 
-    def recording(self, policy: str) -> Recording | None:
-        """
-        Return the first episode that reached its goal, else the first; None without a state.
-
-        :param policy: name of the policy, for the title.
-        """
-        order = sorted(self._results, key=lambda result: result.outcome != 'goal')
-        if not order:
-            return None
-        result = order[0]
-        states = self._states(result)
-        if not states:
-            return None
-        outcome = cause(states[-1]) if result.outcome == 'collision' else result.outcome
-        return Recording(states, result.scenario, result.seed, result.case_index, outcome, policy)
+    def good_episode(self) -> tuple[EpisodeResult, list[CrowdState]] | None:
+        """Return the first episode that reached its goal, else the first; None without a state."""
+        for result in sorted(self._results, key=lambda result: result.outcome != 'goal'):
+            states = self._states(result)
+            if states:
+                return result, states
+        return None
 
     def _states(self, result: EpisodeResult) -> list[CrowdState]:
         """Return the states of an episode in the order of time."""

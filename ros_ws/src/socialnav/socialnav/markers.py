@@ -11,10 +11,10 @@ from socialnav_core.states import CrowdState
 
 HEIGHTS = {'pedestrians': 1.6, 'obstacles': 1.0, 'robot': 0.6, 'goal': 0.02}
 COLORS = {
-    'pedestrians': (0.84, 0.37, 0.0, 0.9),
-    'obstacles': (0.4, 0.4, 0.4, 1.0),
-    'robot': (0.0, 0.45, 0.7, 1.0),
-    'goal': (0.0, 0.62, 0.45, 0.8),
+    'pedestrians': ColorRGBA(r=0.84, g=0.37, b=0.0, a=0.9),
+    'obstacles': ColorRGBA(r=0.4, g=0.4, b=0.4, a=1.0),
+    'robot': ColorRGBA(r=0.0, g=0.45, b=0.7, a=1.0),
+    'goal': ColorRGBA(r=0.0, g=0.62, b=0.45, a=0.8),
 }
 
 
@@ -60,7 +60,7 @@ def disc(header: Header, name: str, index: int, centre: np.ndarray, radius: floa
     marker.pose.orientation.w = 1.0
     marker.scale.x = marker.scale.y = 2 * radius
     marker.scale.z = height
-    marker.color = ColorRGBA(**dict(zip('rgba', COLORS[name])))
+    marker.color = COLORS[name]
     return marker
 
 
@@ -79,7 +79,7 @@ def arrow(header: Header, name: str, index: int, foot: np.ndarray, velocity: np.
     marker.pose.orientation = quaternion_of(float(np.arctan2(velocity[1], velocity[0])))
     marker.scale.x = max(float(np.hypot(velocity[0], velocity[1])), 1e-3)
     marker.scale.y = marker.scale.z = 0.08
-    marker.color = ColorRGBA(**dict(zip('rgba', COLORS[name])))
+    marker.color = COLORS[name]
     return marker
 
 

@@ -15,7 +15,7 @@ from socialnav_core.states import CrowdState
 
 BASELINES = ('orca', 'straight_line')
 """Policies that are no models: nothing is looked up for them."""
-SCREENING = {'model': None, 'on': True, 'off': False}
+SCREENING = {'checkpoint': None, 'enabled': True, 'disabled': False}
 
 
 def ready_policy(values: dict[str, Any], settings: ControllerSettings) -> Policy:

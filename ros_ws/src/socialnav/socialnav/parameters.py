@@ -65,8 +65,8 @@ SIMULATOR_PARAMETERS = (
 POLICY_PARAMETERS = (
     Entry('model', DEFAULT_MODEL, 'name in the share folder, path, `orca` or `straight_line`'),
     Entry(
-        'screening', 'model', 'refuse actions that lead into a collision; model: as it was saved',
-        choices=('model', 'on', 'off'),
+        'screening', 'checkpoint', 'refuse actions that lead into a collision; or as trained',
+        choices=('checkpoint', 'enabled', 'disabled'),
     ),
     Entry('lockstep', False, 'decide once per state of a simulator in lockstep'),
     Entry('scenario', 'hard', 'world that gives radius, speed and bounds in lockstep'),
@@ -183,12 +183,10 @@ def declared(node: Node, entry: Entry) -> Any:
     """
     try:
         value = node.declare_parameter(entry.name, entry.default, descriptor(entry)).value
-    except InvalidParameterTypeException:
-        raise ParameterError(f'{entry.name} {requirement(entry)}') from None
-    except InvalidParameterValueException as error:
-        raise ParameterError(f'{entry.name} {requirement(entry)} ({error})') from None
+    except (InvalidParameterTypeException, InvalidParameterValueException):
+        raise ParameterError(f'parameter {entry.name} {requirement(entry)}') from None
     if (text := complaint(entry, value)) is not None:
-        raise ParameterError(text)
+        raise ParameterError(f'parameter {text}')
     return value
 
 

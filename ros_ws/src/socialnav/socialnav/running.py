@@ -1,6 +1,7 @@
 """Run a node until it is told to stop, and let it say its last word."""
 
 from collections.abc import Callable
+from pathlib import Path
 import signal
 import sys
 import threading
@@ -26,17 +27,30 @@ def run(build: Callable[[], Node]) -> int:
     stop = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stop.set())
-    rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
     try:
-        try:
-            node = build()
-        except ValueError as error:
-            print(f'error: {error}', file=sys.stderr)
-            return 1
+        rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+    except RuntimeError as error:  # arguments that rcl cannot read
+        return failure(error)
+    try:
+        node = build()
+    except ValueError as error:
+        rclpy.try_shutdown()
+        return failure(error)
+    try:
         spin(node, stop)
     finally:
         rclpy.try_shutdown()
     return 0
+
+
+def failure(error: Exception) -> int:
+    """
+    Print one line about a mistake of the user and return the exit code for it.
+
+    :param error: its text says what to do.
+    """
+    print(f'{Path(sys.argv[0]).name}: {error}', file=sys.stderr)
+    return 1
 
 
 def spin(node: Node, stop: threading.Event) -> None:

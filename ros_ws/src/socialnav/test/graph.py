@@ -1,6 +1,7 @@
 """What tests see of the graph: a node of their own, and processes that they start."""
 
 from collections.abc import Callable
+import contextlib
 import os
 import signal
 import subprocess
@@ -74,7 +75,5 @@ class Graph:
 
 def kill(process: subprocess.Popen, number: int = signal.SIGKILL) -> None:
     """Send a signal to a node, not only to the guard around it."""
-    try:
+    with contextlib.suppress(ProcessLookupError):
         os.killpg(process.pid, number)
-    except ProcessLookupError:
-        pass

@@ -1,0 +1,262 @@
+"""Laws of the decision; no middleware is needed for them."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from worlds import BODY, messages_of, random_state
+
+from socialnav.clamping import Limits
+from socialnav.controller import Controller
+from socialnav.controller_settings import ControllerSettings
+
+SECOND = 10**9
+SETTINGS = ControllerSettings(
+    body=BODY,
+    limits=Limits(1.0, math.inf, math.pi),
+    kinematics='holonomic',
+    goal_tolerance=0.3,
+    period=0.1,
+)
+LOCKSTEP = dataclasses.replace(SETTINGS, lockstep=True, period=0.25, stop_publish_timeout=0.0)
+
+
+class Recorder:
+    """A policy that keeps what it saw and drives east."""
+
+    kinematics = 'holonomic'
+
+    def __init__(self):
+        self.states, self.resets = [], 0
+        self.command, self.error, self.duration = [0.5, 0.0], None, 0.0
+        self.now = 0.0
+
+    def act(self, state):
+        self.states.append(state)
+        self.now += self.duration
+        if self.error:
+            raise self.error
+        return np.array([self.command])
+
+    def reset(self):
+        self.resets += 1
+
+
+@pytest.fixture
+def policy():
+    return Recorder()
+
+
+def controller_of(policy, settings=SETTINGS, without=(), stamp=SECOND, state=None):
+    """Return a controller with inputs of one second."""
+    controller = Controller(policy, settings, steady=lambda: policy.now)
+    give(controller, state or random_state(0), stamp, without)
+    return controller
+
+
+def give(controller, state, stamp, without=()):
+    """Hand a whole state to a controller."""
+    for name, message in messages_of(state, stamp).items():
+        if name not in without:
+            controller.store(name, message)
+
+
+def test_fresh_inputs_make_the_robot_drive(policy):
+    decision = controller_of(policy).decide(SECOND)
+    assert decision.reason is None
+    assert np.linalg.norm(decision.command) == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize('name', ['odom', 'pedestrians', 'goal_pose'])
+def test_without_an_input_the_robot_stands_and_says_which(policy, name):
+    decision = controller_of(policy, without=[name]).decide(SECOND)
+    assert decision.command.tolist() == [0.0, 0.0]
+    assert decision.reason == f'no {name}'
+
+
+def test_without_obstacles_the_robot_drives_unless_they_are_required(policy):
+    assert controller_of(policy, without=['obstacles']).decide(SECOND).reason is None
+    required = dataclasses.replace(SETTINGS, require_obstacles=True)
+    decision = controller_of(policy, required, without=['obstacles']).decide(SECOND)
+    assert decision.reason == 'no obstacles'
+
+
+@pytest.mark.parametrize('name', ['odom', 'pedestrians'])
+def test_a_stale_input_gives_zero_velocity(policy, name):
+    controller = controller_of(policy)
+    fresh = messages_of(random_state(0), 2 * SECOND)
+    for other in {'odom', 'pedestrians'} - {name}:
+        controller.store(other, fresh[other])
+    decision = controller.decide(2 * SECOND)
+    assert decision.command.tolist() == [0.0, 0.0]
+    assert decision.reason == f'{name} older than 0.5 s'
+
+
+def test_an_input_from_the_future_gives_zero_velocity(policy):
+    assert 'future' in controller_of(policy, stamp=5 * SECOND).decide(SECOND).reason
+
+
+def test_obstacles_do_not_age_unless_that_is_wanted(policy):
+    controller = controller_of(policy)
+    now = messages_of(random_state(0), 9 * SECOND)
+    controller.store('odom', now['odom'])
+    controller.store('pedestrians', now['pedestrians'])
+    assert controller.decide(9 * SECOND).reason is None
+    controller.settings = dataclasses.replace(SETTINGS, obstacles_timeout=2.0)
+    assert controller.decide(9 * SECOND).reason == 'obstacles older than 2 s'
+
+
+def test_a_position_that_is_not_finite_gives_zero_velocity(policy):
+    state = random_state(0)
+    state.position[0, 1, 0] = math.nan
+    decision = controller_of(policy, state=state).decide(SECOND)
+    assert decision.command.tolist() == [0.0, 0.0]
+    assert decision.reason.startswith('pedestrians: position')
+
+
+def test_the_robot_stands_at_its_goal_until_there_is_another(policy):
+    state = random_state(0)
+    state.robot_goal[:] = state.robot_position + 0.1
+    controller = controller_of(policy, state=state)
+    assert controller.decide(SECOND).reason == 'goal reached' and controller.goal_reached
+    state.robot_goal[:] += 3.0
+    give(controller, state, SECOND + 1)
+    assert controller.decide(SECOND).reason is None and not controller.goal_reached
+
+
+def test_a_goal_reached_once_stays_reached(policy):
+    state = random_state(0)
+    state.robot_goal[:] = state.robot_position + 0.1
+    controller = controller_of(policy, state=state)
+    controller.decide(SECOND)
+    state.robot_position[:] += 1.0
+    give(controller, state, SECOND + 1, without=['goal_pose'])
+    assert controller.decide(SECOND).reason == 'goal reached'
+
+
+def test_a_goal_with_a_repeated_stamp_begins_no_new_run(policy):
+    controller = controller_of(policy)
+    controller.decide(SECOND)
+    give(controller, random_state(0), SECOND)
+    controller.decide(SECOND)
+    assert policy.resets == 1
+
+
+def test_everybody_is_moved_to_the_moment_of_the_command(policy):
+    state = random_state(0)
+    controller_of(policy).decide(SECOND + SECOND // 5)
+    seen = policy.states[0]
+    expected = state.robot_position + 0.2 * state.robot_velocity
+    np.testing.assert_allclose(seen.robot_position, expected, atol=1e-6)
+    np.testing.assert_allclose(seen.position, state.position + 0.2 * state.velocity, atol=1e-6)
+
+
+def test_the_time_that_decisions_take_is_looked_ahead(policy):
+    state = random_state(0)
+    controller = controller_of(policy)
+    policy.duration = 0.05
+    controller.decide(SECOND)
+    controller.decide(SECOND)
+    expected = state.robot_position + 0.05 * state.robot_velocity
+    np.testing.assert_allclose(policy.states[1].robot_position, expected, atol=1e-6)
+
+
+def test_a_decision_that_fails_gives_zero_velocity(policy):
+    controller = controller_of(policy)
+    policy.error = RuntimeError('broken')
+    decision = controller.decide(SECOND)
+    assert decision.command.tolist() == [0.0, 0.0] and 'broken' in decision.reason
+
+
+def test_a_decision_that_comes_too_late_gives_zero_velocity(policy):
+    controller = controller_of(policy)
+    policy.duration = 0.2
+    decision = controller.decide(SECOND)
+    assert decision.command.tolist() == [0.0, 0.0] and 'longer than a period' in decision.reason
+
+
+def test_a_velocity_that_is_none_gives_zero_velocity(policy):
+    policy.command = [math.nan, 0.0]
+    assert controller_of(policy).decide(SECOND).command.tolist() == [0.0, 0.0]
+
+
+def test_the_command_is_in_the_frame_of_the_robot(policy):
+    state = random_state(0)
+    state.robot_heading[:] = math.pi / 2
+    command = controller_of(policy, state=state).decide(SECOND).command
+    np.testing.assert_allclose(command, [0.0, -0.5], atol=1e-12)
+
+
+def test_no_command_is_faster_than_the_robot(policy):
+    policy.command = [3.0, 4.0]
+    command = controller_of(policy).decide(SECOND).command
+    assert np.linalg.norm(command) == pytest.approx(1.0)
+
+
+def test_no_command_changes_the_velocity_faster_than_the_robot_can(policy):
+    limits = Limits(1.0, 2.0, math.pi)
+    state = random_state(0)
+    state.robot_velocity[:], state.robot_heading[:] = 0.0, 0.0
+    settings = dataclasses.replace(SETTINGS, limits=limits)
+    command = controller_of(policy, settings, state=state).decide(SECOND).command
+    np.testing.assert_allclose(command, [0.2, 0.0], atol=1e-12)
+
+
+def test_after_nothing_but_stops_it_goes_silent_until_it_drives_again(policy):
+    controller = controller_of(policy)
+    assert controller.decide(9 * SECOND).publish
+    policy.now = 11.0
+    assert not controller.decide(9 * SECOND).publish
+    give(controller, random_state(0), 9 * SECOND)
+    assert controller.decide(9 * SECOND).publish
+
+
+def test_only_the_nearest_agents_reach_the_policy(policy):
+    settings = dataclasses.replace(SETTINGS, max_agents=2)
+    controller_of(policy, settings).decide(SECOND)
+    assert policy.states[0].agents == 2
+
+
+def test_in_lockstep_a_state_is_complete_when_all_four_have_one_stamp(policy):
+    controller = controller_of(policy, LOCKSTEP, without=['goal_pose'])
+    assert not controller.take_complete_state()
+    messages = messages_of(random_state(0), 2 * SECOND)
+    controller.store('goal_pose', messages['goal_pose'])
+    assert not controller.take_complete_state()
+    give(controller, random_state(0), 2 * SECOND)
+    assert controller.take_complete_state()
+
+
+def test_in_lockstep_a_state_is_taken_once(policy):
+    controller = controller_of(policy, LOCKSTEP)
+    assert controller.take_complete_state() and not controller.take_complete_state()
+
+
+def test_in_lockstep_a_repeated_state_gets_the_same_answer_without_a_decision(policy):
+    controller = controller_of(policy, LOCKSTEP)
+    first = controller.decide(0)
+    give(controller, random_state(0), SECOND)
+    assert controller.decide(0) is first and len(policy.states) == 1
+
+
+def test_in_lockstep_nothing_ages_and_nothing_is_extrapolated(policy):
+    controller_of(policy, LOCKSTEP).decide(99 * SECOND)
+    np.testing.assert_array_equal(policy.states[0].position, random_state(0).position)
+
+
+def test_in_lockstep_a_break_of_the_clock_begins_a_new_run(policy):
+    controller = controller_of(policy, LOCKSTEP)
+    controller.decide(0)
+    give(controller, random_state(0), SECOND + SECOND // 4)
+    controller.decide(0)
+    assert policy.resets == 1 and policy.states[1].time[0] == 0.25
+    give(controller, random_state(0), 3 * SECOND)
+    controller.decide(0)
+    assert policy.resets == 2 and policy.states[2].time[0] == 0.0
+
+
+def test_in_lockstep_a_failing_policy_is_not_hidden(policy):
+    policy.error = RuntimeError('broken')
+    with pytest.raises(RuntimeError, match='broken'):
+        controller_of(policy, LOCKSTEP).decide(0)

@@ -1,0 +1,56 @@
+"""The same cases offline and through the graph."""
+
+from models import default_model_folder
+from nav_msgs.msg import Odometry
+import numpy as np
+import pytest
+
+from socialnav import qos
+from socialnav.stamps import nanoseconds_of
+from socialnav.world import OUTCOMES
+from socialnav_core.policies import load_policy
+from socialnav_core.simulation import Outcome, Simulator, make_scenario
+from socialnav_msgs.msg import EpisodeResult
+
+CASES = 20
+SEED = 11
+needs_model = pytest.mark.skipif(
+    not default_model_folder().is_dir(), reason='the default model is not installed'
+)
+TRAINED = str(default_model_folder())
+
+
+def offline(policy, scenario, case):
+    """Run a case without the middleware; return outcome, steps and final position."""
+    simulator = Simulator(scenario, batch_size=1, autoreset='disabled')
+    state, ended = simulator.reset(seed=SEED, cases=[case]), False
+    policy.reset()
+    while not ended:
+        state, _, terminated, truncated, info = simulator.step(policy.act(state))
+        ended = bool(terminated[0] or truncated[0])
+    outcome = OUTCOMES[Outcome(int(info['outcome'][0]))]
+    return outcome, int(info['steps'][0]), state.robot_position[0]
+
+
+@pytest.mark.parametrize(
+    ('model', 'scenario'),
+    [
+        ('orca', 'hard'),
+        ('orca', 'crowd20'),
+        pytest.param(TRAINED, 'hard', marks=needs_model, id='default_model-hard'),
+    ],
+)
+def test_a_case_ends_alike_offline_and_through_the_graph(graph, model, scenario):
+    results = graph.listen(EpisodeResult, 'episode_result', qos.LATCHED_RECORDING)
+    odometry = graph.listen(Odometry, 'odom')
+    graph.start('simulator_node', lockstep=True, scenario=scenario, seed=SEED, episodes=CASES)
+    graph.start('policy_node', lockstep=True, scenario=scenario, model=model)
+    graph.wait(lambda: len(results) == CASES, 'end of the episodes', deadline=90.0)
+    graph.spin(0.2)
+    final = {nanoseconds_of(one.header.stamp): one.pose.pose.position for one in odometry}
+    policy, world = load_policy(model), make_scenario(scenario)
+    for case, result in enumerate(results):
+        outcome, steps, position = offline(policy, world, case)
+        assert (result.case_index, result.outcome, result.steps) == (case, outcome, steps)
+        place = final[nanoseconds_of(result.header.stamp)]
+        np.testing.assert_allclose([place.x, place.y], position, rtol=0, atol=1e-6)

@@ -1,0 +1,195 @@
+"""Laws of the policy node, over the middleware."""
+
+import math
+import signal
+import time
+
+from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
+from graph import kill
+from nav_msgs.msg import Odometry
+import pytest
+from rcl_interfaces.msg import Parameter, ParameterValue
+from rcl_interfaces.srv import SetParameters
+from std_msgs.msg import Bool
+from worlds import messages_of, random_state
+
+from socialnav import qos
+from socialnav_msgs.msg import AgentStates
+
+PERIOD = 0.1
+KINDS = {
+    'odom': (Odometry, qos.ODOMETRY),
+    'pedestrians': (AgentStates, qos.PEDESTRIANS),
+    'obstacles': (AgentStates, qos.OBSTACLES),
+    'goal_pose': (PoseStamped, qos.GOAL),
+}
+
+
+def speed(twist):
+    """Return the speed of a command."""
+    return math.hypot(twist.linear.x, twist.linear.y)
+
+
+class Robot:
+    """Publishes inputs of the policy node."""
+
+    def __init__(self, graph):
+        self.graph = graph
+        self.publishers = {
+            name: graph.node.create_publisher(kind, name, profile)
+            for name, (kind, profile) in KINDS.items()
+        }
+
+    def wait(self):
+        """Wait until the policy node listens to everything."""
+        self.graph.wait(
+            lambda: all(one.get_subscription_count() for one in self.publishers.values()), 'node'
+        )
+
+    def publish(self, state, without=(), frame='odom'):
+        """Publish a state as of now."""
+        now = self.graph.node.get_clock().now().nanoseconds
+        for name, message in messages_of(state, now, frame).items():
+            if name not in without:
+                self.publishers[name].publish(message)
+
+
+@pytest.fixture
+def driving(graph):
+    """Return commands and the two processes of a robot that drives."""
+    commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+    simulator = graph.start('simulator_node')
+    policy = graph.start('policy_node', model='orca', bounds=7.5)
+    graph.wait(lambda: commands and speed(commands[-1]) > 0.1, 'motion')
+    return commands, simulator, policy
+
+
+def test_in_real_time_the_policy_brings_the_robot_nearer_to_its_goal(graph, driving):
+    odometry, goals = graph.listen(Odometry, 'odom'), graph.listen(PoseStamped, 'goal_pose')
+    graph.wait(lambda: odometry and goals, 'inputs')
+
+    def distance(one):
+        place, goal = one.pose.pose.position, goals[0].pose.position
+        return math.hypot(place.x - goal.x, place.y - goal.y)
+
+    start = distance(odometry[0])
+    graph.wait(lambda: distance(odometry[-1]) < start - 1.0, 'progress')
+
+
+def test_when_the_simulator_is_killed_the_robot_stops_within_the_timeout(graph, driving):
+    commands, simulator, _ = driving
+    kill(simulator)
+    killed = time.monotonic()
+    graph.wait(lambda: speed(commands[-1]) == 0.0, 'stop', deadline=5.0)
+    assert time.monotonic() - killed < 0.5 + PERIOD + 0.1
+
+
+@pytest.mark.parametrize('number', [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_ends_the_policy_with_a_zero_command_as_the_last(graph, driving, number):
+    commands, _, policy = driving
+    kill(policy, number)
+    graph.wait(lambda: policy.poll() is not None, 'end of the process')
+    graph.spin(0.3)
+    assert policy.returncode == 0
+    assert speed(commands[-1]) == 0.0 and commands[-1].angular.z == 0.0
+
+
+def test_without_inputs_the_robot_is_told_to_stand(graph):
+    commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+    graph.start('policy_node', model='orca')
+    graph.wait(lambda: len(commands) >= 3, 'commands')
+    assert not any(map(speed, commands))
+
+
+def test_bad_inputs_stop_the_robot_and_good_ones_let_it_go_on(graph):
+    commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+    graph.start('policy_node', model='orca')
+    robot = Robot(graph)
+    robot.wait()
+    good, bad = random_state(0), random_state(0)
+    bad.position[0, 0, 0] = math.nan
+    for state, frame, moves in (
+        (good, 'odom', True), (bad, 'odom', False), (good, 'odom', True), (good, 'camera', False),
+    ):  # fmt: skip
+
+        def publish(state=state, frame=frame, moves=moves):
+            robot.publish(state, frame=frame)
+            graph.spin(0.05)
+            return commands and (speed(commands[-1]) > 0.0) == moves
+
+        graph.wait(publish, f'reaction to {frame}')
+
+
+def test_a_stamped_command_can_be_had_instead(graph):
+    commands = graph.listen(TwistStamped, 'cmd_vel', qos.COMMAND)
+    graph.start('policy_node', model='orca', enable_stamped_cmd_vel=True)
+    graph.wait(lambda: commands, 'commands')
+    assert commands[0].header.frame_id == 'base_link' and commands[0].header.stamp.sec > 0
+
+
+def test_the_end_of_a_run_is_announced_and_the_robot_stands(graph):
+    arrivals = graph.listen(Bool, 'policy_node/goal_reached', qos.GOAL_REACHED)
+    commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+    graph.start('policy_node', model='orca')
+    robot = Robot(graph)
+    robot.wait()
+    state = random_state(0)
+    state.robot_goal[:] = state.robot_position + 0.1
+
+    def publish():
+        robot.publish(state)
+        graph.spin(0.05)
+        return arrivals and arrivals[-1].data
+
+    graph.wait(publish, 'arrival')
+    assert speed(commands[-1]) == 0.0
+
+
+def test_while_the_clock_stands_the_robot_is_told_to_stand(graph):
+    commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+    graph.start('policy_node', model='orca', use_sim_time=True)
+    graph.wait(lambda: len(commands) >= 2, 'commands of the watchdog')
+    assert not any(map(speed, commands))
+
+
+def test_limits_can_be_changed_live_and_frames_cannot(graph):
+    graph.start('policy_node', model='orca')
+
+    def change(name, **value):
+        request = SetParameters.Request()
+        request.parameters = [Parameter(name=name, value=ParameterValue(**value))]
+        return graph.call(SetParameters, 'policy_node/set_parameters', request).results[0]
+
+    assert change('max_speed', type=3, double_value=0.4).successful
+    assert not change('max_speed', type=3, double_value=-1.0).successful
+    refusal = change('planning_frame', type=4, string_value='map')
+    assert not refusal.successful and 'cannot change' in refusal.reason
+
+
+def test_a_speed_limit_that_is_changed_live_is_kept(graph, driving):
+    commands, _, _ = driving
+    request = SetParameters.Request()
+    value = ParameterValue(type=3, double_value=0.25)
+    request.parameters = [Parameter(name='max_speed', value=value)]
+    graph.call(SetParameters, 'policy_node/set_parameters', request)
+    commands.clear()
+    graph.wait(lambda: len(commands) >= 10, 'commands')
+    assert 0.2 < max(map(speed, commands)) < 0.2500001
+
+
+@pytest.mark.parametrize(
+    ('name', 'parameters', 'text'),
+    [
+        ('policy_node', {'model': 'nobody'}, "no model 'nobody'"),
+        ('policy_node', {'controller_frequency': -1.0}, 'controller_frequency must be'),
+        ('policy_node', {'model': 'orca', 'kinematics': 'differential'}, 'holonomic'),
+        ('policy_node', {'threads': 'many'}, 'threads must be a whole number'),
+        ('simulator_node', {'scenario': 'hart'}, 'did you mean hard'),
+        ('simulator_node', {'kinematics': 'legs'}, 'kinematics must be one of'),
+    ],
+)
+def test_a_wrong_parameter_is_one_line_and_exit_code_1(graph, name, parameters, text):
+    process = graph.start(name, **parameters)
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == 1
+    assert text in errors and errors.startswith(name) and errors.count('\n') == 1

@@ -1,0 +1,126 @@
+"""The demo, as a user runs it; the last file, since it takes longest."""
+
+import json
+import os
+from pathlib import Path
+import re
+import signal
+import subprocess
+import time
+
+from ament_index_python.packages import get_package_prefix
+from models import default_model_folder
+from PIL import Image
+import pytest
+
+from socialnav.parameters import DEFAULT_MODEL
+
+DEMO = Path(get_package_prefix('socialnav')) / 'lib' / 'socialnav' / 'demo'
+FIELDS = {
+    'scenario', 'seed', 'case_index', 'outcome', 'time', 'path_length', 'minimum_clearance',
+    'steps',
+}  # fmt: skip
+MODEL = DEFAULT_MODEL if default_model_folder().is_dir() else 'orca'
+
+
+def demo(*arguments):
+    """Return a running demo in a domain of its own choice."""
+    environment = {name: os.environ[name] for name in os.environ if name != 'ROS_DOMAIN_ID'}
+    return subprocess.Popen(
+        ['timeout', '-k', '5', '150', str(DEMO), *map(str, arguments)],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment,
+    )  # fmt: skip
+
+
+def nodes_of(process):
+    """Return the process ids of the nodes that a demo has started."""
+    columns = ['-o', 'pid=', '-o', 'ppid=', '-o', 'args=']
+    found = subprocess.run(['ps', '-e', '-ww', *columns], capture_output=True, text=True, check=True)
+    rows = [line.split(None, 2) for line in found.stdout.splitlines()]
+    demos = {row[0] for row in rows if row[1] == str(process.pid)}
+    return [row[0] for row in rows if row[1] in demos and '_node' in row[2]]
+
+
+def wait_for_nodes(process):
+    """Wait until a demo has started both of its nodes."""
+    deadline = time.monotonic() + 20
+    while len(nodes := nodes_of(process)) < 2:
+        assert time.monotonic() < deadline and process.poll() is None
+        time.sleep(0.05)
+    return nodes
+
+
+def alive(number):
+    """Return whether a process runs."""
+    return (
+        Path(f'/proc/{number}/cmdline').exists() and Path(f'/proc/{number}/cmdline').read_bytes()
+    )
+
+
+@pytest.fixture(scope='module')
+def result(tmp_path_factory):
+    """Return what five episodes printed, and the folder that they filled."""
+    folder = tmp_path_factory.mktemp('demo')
+    began = time.monotonic()
+    process = demo('--episodes', 5, '--scenario', 'hard', '--model', MODEL, '--out', folder)
+    first = process.stdout.readline()
+    until_first = time.monotonic() - began
+    rest, errors = process.communicate()
+    assert process.returncode == 0, errors
+    return first + rest, folder, until_first
+
+
+def test_the_demo_prints_a_line_per_episode_and_a_table(result):
+    text, _, _ = result
+    lines = [line for line in text.splitlines() if re.match(r'\s+\d+\s+hard\s', line)]
+    assert len(lines) == 10 and lines[:5] == lines[5:]
+    assert re.search(r'^\d of 5 reached the goal', text, re.MULTILINE)
+
+
+def test_the_demo_writes_every_episode(result):
+    _, folder, _ = result
+    episodes = json.loads((folder / 'episodes.json').read_text())
+    assert [set(episode) for episode in episodes] == [FIELDS] * 5
+    assert [episode['case_index'] for episode in episodes] == list(range(5))
+    assert sum(episode['outcome'] == 'goal' for episode in episodes) >= 4
+
+
+def test_the_demo_draws_a_moving_picture(result):
+    _, folder, _ = result
+    with Image.open(folder / 'episode.gif') as picture:
+        assert picture.format == 'GIF' and picture.n_frames > 20
+
+
+def test_the_first_episode_is_over_soon(result):
+    assert result[2] < 20.0
+
+
+def test_the_demo_fails_when_a_node_dies(tmp_path):
+    process = demo('--model', 'orca', '--out', tmp_path, '--real-time')
+    nodes = wait_for_nodes(process)
+    os.kill(int(nodes[0]), signal.SIGKILL)
+    _, errors = process.communicate()
+    assert process.returncode == 1 and 'ended with exit code -9' in errors
+    assert not any(map(alive, nodes))
+
+
+def test_the_demo_fails_with_the_reason_when_there_is_no_such_model(tmp_path):
+    process = demo('--model', 'nobody', '--out', tmp_path)
+    _, errors = process.communicate()
+    assert process.returncode == 1 and "no model 'nobody'" in errors
+
+
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupted_demo_takes_its_nodes_with_it(tmp_path, number):
+    process = demo('--model', 'orca', '--out', tmp_path, '--real-time')
+    nodes = wait_for_nodes(process)
+    process.send_signal(number)
+    process.communicate()
+    assert process.returncode != 0
+    assert not any(map(alive, nodes))
+
+
+def test_a_scenario_that_does_not_exist_is_a_mistake_of_usage():
+    process = demo('--scenario', 'hart')
+    _, errors = process.communicate()
+    assert process.returncode == 2 and 'did you mean hard' in errors
