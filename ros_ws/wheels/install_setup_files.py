@@ -6,6 +6,7 @@ import sys
 import sysconfig
 
 WHEELS = Path(__file__).resolve().parent
+PROFILES = WHEELS.parent / 'src' / 'socialnav' / 'config' / 'fast_discovery.xml'
 DEFAULTS_FILE = 'colcon_defaults.yaml'
 
 SETUP = """\
@@ -28,6 +29,9 @@ unset -f _socialnav_prepend
 # With the variables above, Python need not start itself a second time to find the libraries.
 export _ROS_WHEELS_BOOTSTRAP_COMPLETE=1
 export COLCON_DEFAULTS_FILE={defaults}
+# Nodes find each other at once, not after seconds, if both announce themselves often.
+[ -n "${{FASTRTPS_DEFAULT_PROFILES_FILE:-}}" ] ||
+  export FASTRTPS_DEFAULT_PROFILES_FILE={profiles}
 """
 
 DEFAULTS = """\
@@ -71,7 +75,8 @@ def setup_script(environment: Path, site_packages: Path) -> str:
     """
     pairs = search_paths(environment, site_packages)
     prepend = '\n'.join(f'_socialnav_prepend {name} {quote(str(path))}' for name, path in pairs)
-    return SETUP.format(prepend=prepend, defaults=quote(f'{environment}/{DEFAULTS_FILE}'))
+    defaults = quote(f'{environment}/{DEFAULTS_FILE}')
+    return SETUP.format(prepend=prepend, defaults=defaults, profiles=quote(str(PROFILES)))
 
 
 def install(environment: Path) -> None:

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 import os
-from pathlib import Path
 import signal
 import sys
 import time
@@ -12,10 +11,9 @@ import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 
-PROFILES = Path(__file__).parents[2] / 'src' / 'socialnav' / 'config' / 'fast_discovery.xml'
 QUIET = 0.5
 """Time without a change after which the graph counts as known, s."""
-PATIENCE = 3.0
+PATIENCE = 5.0
 """Time after which what has not been seen is taken not to be there, s."""
 POLL = 0.02
 """Time between two looks at the graph, s."""
@@ -23,17 +21,27 @@ POLL = 0.02
 
 @contextmanager
 def probe() -> Iterator[Node]:
-    """Yield a node that announces itself often, so that others answer it at once."""
-    os.environ.setdefault('FASTRTPS_DEFAULT_PROFILES_FILE', str(PROFILES))
+    """Yield a node that other nodes do not see in their lists; ROS ends with it."""
+    signal.signal(signal.SIGTERM, on_sigterm)
     rclpy.init(args=[])
     try:
         yield rclpy.create_node(
             f'_ros2cli_{os.getpid()}', enable_rosout=False, start_parameter_services=False
         )
     except ExternalShutdownException:
-        sys.exit(128 + signal.SIGTERM)
+        # Ctrl-C, where Python was started with SIGINT ignored, as in the background of a script.
+        raise KeyboardInterrupt from None
     finally:
         rclpy.try_shutdown()
+
+
+def on_sigterm(number: int, _: object) -> None:
+    """
+    End the program in order; rclpy's own handler, which runs first, only ends ROS.
+
+    :param number: of the signal.
+    """
+    sys.exit(128 + number)
 
 
 def look(node: Node, wanted: Callable[[], object]) -> bool:

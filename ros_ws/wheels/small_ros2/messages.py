@@ -2,7 +2,6 @@
 
 from array import array
 from importlib import import_module
-import sys
 from typing import Any
 
 import numpy as np
@@ -11,6 +10,7 @@ import yaml
 from small_ros2.command import CommandError
 
 DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
+NO_WRAP = 2**31 - 1
 
 
 def message_class(name: str) -> type:
@@ -36,7 +36,7 @@ def message_text(message: Any, longest: int | None) -> str:
     """
     return yaml.dump(
         plain(message, longest), Dumper=DUMPER, sort_keys=False, allow_unicode=True,
-        width=sys.maxsize, default_flow_style=False,
+        width=NO_WRAP, default_flow_style=False,
     )  # fmt: skip
 
 
