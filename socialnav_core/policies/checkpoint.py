@@ -16,6 +16,7 @@ from socialnav_core.settings import from_mapping, read_yaml, to_yaml
 
 WEIGHTS = 'weights.safetensors'
 CONFIG = 'config.yaml'
+ATTENTION_SCORES = {'gat4sn': 'gat', 'gat4sn_linear': 'linear', 'gat4sn_v2': 'gatv2'}
 
 
 class CheckpointError(ValueError):
@@ -30,7 +31,7 @@ def build_network(config: PolicyConfig) -> nn.Module:
     """
     if config.network == 'sarl':
         return SarlValueNetwork()
-    return Gat4snValueNetwork(heads=config.heads)
+    return Gat4snValueNetwork(config.heads, ATTENTION_SCORES[config.network])
 
 
 def save_weights(folder: Path, network: nn.Module, config: Config) -> None:
