@@ -13,7 +13,7 @@ from rclpy.node import Node
 
 QUIET = 0.5
 """Time without a change after which the graph counts as known, s."""
-PATIENCE = 5.0
+PATIENCE = 3.0
 """Time after which what has not been seen is taken not to be there, s."""
 POLL = 0.02
 """Time between two looks at the graph, s."""

@@ -23,7 +23,7 @@ def message_class(name: str) -> type:
     package, _, kind = name.partition('/')
     try:
         return getattr(import_module(f'{package}.msg'), kind.removeprefix('msg/'))
-    except (ImportError, AttributeError, ValueError) as error:
+    except (ImportError, AttributeError, TypeError, ValueError) as error:
         raise CommandError(f"The message type '{name}' is invalid") from error
 
 

@@ -19,10 +19,22 @@ def find(node: Node, topic: str, kind: str | None = None) -> tuple[type, QoSProf
     :param node: that looks.
     :param topic: its full name.
     :param kind: name of the type, where it need not be asked for.
-    :raises CommandError: when nobody uses the topic and no type is given, or it has several types.
+    :raises CommandError: when the type is not known.
     """
+    given = message_class(kind) if kind else None
     look(node, lambda: node.count_publishers(topic))
-    types = {kind} if kind else set(dict(node.get_topic_names_and_types()).get(topic, []))
+    return given or class_of(node, topic), matching_qos(node.get_publishers_info_by_topic(topic))
+
+
+def class_of(node: Node, topic: str) -> type:
+    """
+    Return the class of a topic's messages.
+
+    :param node: that has looked.
+    :param topic: its full name.
+    :raises CommandError: when nobody uses the topic, or it has several types.
+    """
+    types = dict(node.get_topic_names_and_types()).get(topic, [])
     if not types:
         raise CommandError(
             f'WARNING: topic [{topic}] does not appear to be published yet\n'
@@ -32,7 +44,7 @@ def find(node: Node, topic: str, kind: str | None = None) -> tuple[type, QoSProf
         raise CommandError(
             f'Cannot echo topic {topic}, as it contains more than one type: {types}'
         )
-    return message_class(types.pop()), matching_qos(node.get_publishers_info_by_topic(topic))
+    return message_class(types[0])
 
 
 def matching_qos(publishers: list[TopicEndpointInfo]) -> QoSProfile:
