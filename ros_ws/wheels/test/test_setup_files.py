@@ -21,7 +21,7 @@ def shell(command: str, name: str = 'bash', **variables: str) -> str:
     """Return what a shell prints that knows nothing but PATH, HOME and the given variables."""
     base = {'PATH': '/usr/bin:/bin', 'HOME': os.environ['HOME']}
     result = subprocess.run(
-        [name, '-euc', command], capture_output=True, text=True, env=base | variables, timeout=60
+        [name, '-euc', command], capture_output=True, text=True, env=base | variables, timeout=120
     )
     assert result.returncode == 0, result.stderr
     return result.stdout
@@ -95,7 +95,7 @@ def test_colcon_finds_each_package_once_and_searches_nothing_else() -> None:
 def test_sourcing_the_built_workspace_alone_is_enough_to_run_a_node() -> None:
     command = f"""
         set +u; . {WORKSPACE}/install/setup.bash
-        timeout -k 5 50 ros2 run socialnav simulator_node & node=$!
+        timeout -k 5 100 ros2 run socialnav simulator_node & node=$!
         until ros2 topic echo --once /odom --field header.frame_id 2> /dev/null; do :; done
         kill $node; wait $node
     """
