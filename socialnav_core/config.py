@@ -6,6 +6,7 @@ import math
 from socialnav_core.settings import ConfigError, require, require_choice
 
 KINEMATICS = ('holonomic', 'differential')
+NETWORKS = ('sarl', 'gat4sn', 'gat4sn_linear', 'gat4sn_v2')
 LOOKAHEADS = ('constant_velocity', 'oracle')
 POSITIVE_SCENARIO_FIELDS = (
     'spawn_half_width', 'circle_radius', 'minimum_travel', 'bounds', 'pedestrian_radius',
@@ -152,9 +153,9 @@ class PolicyConfig:
     """A value network and the way it chooses an action."""
 
     network: str = 'sarl'
-    """Value network: sarl or gat4sn."""
+    """Value network: sarl, gat4sn, gat4sn_linear (no LeakyReLU in its attention) or gat4sn_v2."""
     heads: int = 4
-    """Attention heads of gat4sn."""
+    """Attention heads of the gat4sn networks."""
     speeds: int = 2
     """Number of speeds of the action set, spaced exponentially up to the preferred speed."""
     headings: int = 8
@@ -176,7 +177,7 @@ class PolicyConfig:
 
     def __post_init__(self) -> None:
         """Refuse values that describe no policy."""
-        require_choice('network', self.network, ('sarl', 'gat4sn'))
+        require_choice('policy.network', self.network, NETWORKS)
         require_choice('kinematics', self.kinematics, KINEMATICS)
         require_choice('lookahead', self.lookahead, LOOKAHEADS)
         require(self.heads >= 1, 'policy.heads must be at least 1')
@@ -265,9 +266,15 @@ class TrainingConfig:
     def __post_init__(self) -> None:
         """Refuse values with which nothing can be learned."""
         require_choice('training.lookahead', self.lookahead, LOOKAHEADS)
-        for name in ('worlds', 'steps_per_iteration', 'batch_size', 'replay_capacity'):
+        for name in POSITIVE_TRAINING_FIELDS:
             require(getattr(self, name) > 0, f'training.{name} must be positive')
         require(0 <= self.trace_decay <= 1, 'training.trace_decay must lie in [0, 1]')
+
+
+POSITIVE_TRAINING_FIELDS = (
+    'worlds', 'iterations', 'steps_per_iteration', 'batch_size', 'replay_capacity',
+    'learning_rate', 'final_learning_rate', 'gradient_clip', 'checkpoint_iterations',
+)  # fmt: skip
 
 
 @dataclasses.dataclass(frozen=True)

@@ -1,0 +1,123 @@
+"""Imitation: a value network learns what an ORCA robot's states turned out to be worth."""
+
+import dataclasses
+
+import numpy as np
+import torch
+from torch import nn
+
+from socialnav_core.config import require, TrainingConfig
+from socialnav_core.policies import Policy
+from socialnav_core.simulation import observe, Outcome, Simulator
+from socialnav_core.states import Observation
+from socialnav_core.training.regression import regress
+from socialnav_core.training.schedules import exponential
+from socialnav_core.training.targets import discounted_returns
+
+
+@dataclasses.dataclass
+class Demonstrations:
+    """States that a demonstrator was in and the returns that followed."""
+
+    observation: Observation
+    """What the robot saw, batch axis first."""
+    returns: np.ndarray
+    """Discounted sum of rewards up to the end of the episode, float32, (batch,)."""
+    outcome: np.ndarray
+    """Outcome codes of all episodes in the order of their cases, (episodes,)."""
+
+    def select(self, rows: np.ndarray) -> tuple[Observation, np.ndarray]:
+        """
+        Return some of the states and their returns.
+
+        :param rows: indices or a mask.
+        """
+        seen = self.observation
+        chosen = Observation(seen.robot[rows], seen.others[rows], seen.mask[rows])
+        return chosen, self.returns[rows]
+
+
+def collect_demonstrations(
+    simulator: Simulator, demonstrator: Policy, episodes: int, seed: int
+) -> Demonstrations:
+    """
+    Return the states of the training cases 0 ... episodes - 1, each run exactly once.
+
+    Returns are sums of the rewards received. An episode that ran out of time was cut in the
+    middle, its sum is unknown and there is no value network yet to estimate the rest: its states
+    are left out.
+
+    :param simulator: worlds to run them in.
+    :param demonstrator: drives the robots.
+    :param episodes: number of cases.
+    :param seed: of the cases.
+    :raises ConfigError: when all of them ran out of time.
+    """
+    state = simulator.reset(seed=seed, split='train', cases=range(episodes))
+    demonstrator.reset()
+    steps, outcome = [], np.zeros(episodes, np.int64)
+    while simulator.active.any():
+        seen = observe(state, simulator.scenario.kinematics)
+        state, reward, terminated, truncated, info = simulator.step(demonstrator.act(state))
+        ended = info['active'] & (terminated | truncated)
+        outcome[info['case_index'][ended]] = info['outcome'][ended]
+        steps.append((seen, reward, ended, info['case_index'], info['active']))
+    require(
+        bool((outcome != Outcome.TIMEOUT).any()),
+        f'no demonstration ended within {simulator.scenario.time_limit:g} s; raise '
+        'scenario.time_limit or training.imitation.episodes',
+    )
+    return demonstrations(steps, outcome, simulator.scenario.discount)
+
+
+def demonstrations(steps: list[tuple], outcome: np.ndarray, discount: float) -> Demonstrations:
+    """
+    Return the states of finished episodes with their returns.
+
+    :param steps: of all worlds: what was seen, rewards, ends, case indices, who was running.
+    :param outcome: Outcome codes of the cases, (episodes,).
+    :param discount: of one step.
+    """
+    seen, reward, ended, case, active = zip(*steps, strict=True)
+    returns = discounted_returns(np.stack(reward), np.stack(ended), discount)
+    kept = np.stack(active) & (outcome[np.stack(case)] != Outcome.TIMEOUT)
+    observation = Observation(
+        np.stack([each.robot for each in seen])[kept],
+        np.stack([each.others for each in seen])[kept],
+        np.stack([each.mask for each in seen])[kept],
+    )
+    return Demonstrations(observation, returns[kept].astype(np.float32), outcome)
+
+
+def imitate(
+    network: nn.Module,
+    demonstrations: Demonstrations,
+    config: TrainingConfig,
+    generator: np.random.Generator,
+) -> float:
+    """
+    Fit the network to the demonstrations in place; return the mean loss of the last epoch.
+
+    :param network: value network.
+    :param demonstrations: states and returns.
+    :param config: of the run.
+    :param generator: source of the order.
+    """
+    settings = config.imitation
+    optimizer = torch.optim.Adam(network.parameters(), fused=True)
+    count = len(demonstrations.returns)
+    batches = -(-count // settings.batch_size)
+    updates = settings.epochs * batches
+    losses: list[float] = []
+    for epoch in range(settings.epochs):
+        losses.clear()
+        for index, rows in enumerate(np.array_split(generator.permutation(count), batches)):
+            share = (epoch * batches + index) / max(updates - 1, 1)
+            rate = exponential(settings.learning_rate, settings.final_learning_rate, share)
+            seen, returns = demonstrations.select(rows)
+            arrays = (seen.robot, seen.others, seen.mask, returns)
+            batch = tuple(torch.from_numpy(array) for array in arrays)
+            losses.append(
+                regress(network, optimizer, batch, rate, config.gradient_clip, config.bfloat16)
+            )
+    return float(np.mean(losses)) if losses else float('nan')

@@ -1,0 +1,242 @@
+"""What was measured of a checkpoint, and its model card."""
+
+import csv
+import json
+from pathlib import Path
+from typing import Any
+
+from socialnav_core.config import Config
+from socialnav_core.policies.checkpoint import atomic_write, checkpoint_digest, load_checkpoint
+from socialnav_core.training.progress import CSV_NAME
+
+METRICS_NAME = 'metrics.json'
+CARD_NAME = 'README.md'
+
+NETWORKS = {
+    'sarl': 'SARL (Chen et al. 2019, Crowd-Robot Interaction)',
+    'gat4sn': 'GAT4SN (graph attention for social navigation)',
+}
+
+
+def add_result(folder: Path, result: dict[str, Any]) -> None:
+    """
+    Put an evaluation into the metrics of a checkpoint; an older one of the same kind is replaced.
+
+    Keys are scenarios, followed by what differs from the checkpoint's own settings, such as
+    simple+oracle. The list of single cases is left out.
+
+    :param folder: of the checkpoint.
+    :param result: of an evaluation, as `socialnav evaluate --json` writes it.
+    """
+    metrics = read_metrics(folder) | {
+        result_key(result, load_checkpoint(folder)[1]): {
+            name: value for name, value in result.items() if name != 'cases'
+        }
+    }
+    text = json.dumps(dict(sorted(metrics.items())), indent=2)
+    atomic_write(folder / METRICS_NAME, f'{text}\n'.encode())
+
+
+def result_key(result: dict[str, Any], config: Config) -> str:
+    """
+    Return the name of a result: its scenario and what differs from the checkpoint's settings.
+
+    :param result: of an evaluation.
+    :param config: of the checkpoint.
+    """
+    key = result['scenario']
+    if result['lookahead'] != config.policy.lookahead:
+        key += f'+{result["lookahead"]}'
+    if result['screening'] != config.policy.screening.enabled:
+        key += '+screening' if result['screening'] else '+no_screening'
+    return key
+
+
+def read_metrics(folder: Path) -> dict[str, Any]:
+    """
+    Return the results of a checkpoint, empty where there are none.
+
+    :param folder: of the checkpoint.
+    """
+    path = folder / METRICS_NAME
+    return json.loads(path.read_text(encoding='utf-8')) if path.is_file() else {}
+
+
+def write_model_card(folder: Path) -> None:
+    """
+    Write README.md of a checkpoint from its weights, config, metrics and progress.
+
+    :param folder: of the checkpoint.
+    """
+    network, config = load_checkpoint(folder)
+    parameters = sum(parameter.numel() for parameter in network.parameters())
+    results = list(read_metrics(folder).values())
+    sections = (
+        f'# {config.name}',
+        description(config, parameters, checkpoint_digest(folder)),
+        intended_use(config),
+        training_data(config, last_row(folder / CSV_NAME)),
+        results_section(results),
+        limits(config),
+        reproduction(folder, results),
+    )
+    atomic_write(folder / CARD_NAME, ('\n\n'.join(sections) + '\n').encode())
+
+
+def description(config: Config, parameters: int, digest: str) -> str:
+    """
+    Return what the model is.
+
+    :param config: of the checkpoint.
+    :param parameters: number of weights.
+    :param digest: of the weights.
+    """
+    policy = config.policy
+    heads = f' with {policy.heads} heads' if policy.network == 'gat4sn' else ''
+    turns = 'headings' if policy.kinematics == 'holonomic' else 'turn rates'
+    return (
+        f'Value network {NETWORKS[policy.network]}{heads}, {parameters:,} parameters. Each '
+        f'{policy.time_step:g} s a one-step look-ahead ({policy.lookahead}) tries '
+        f'{policy.speeds * policy.headings + 1} actions ({policy.speeds} speeds x '
+        f'{policy.headings} {turns} and stop; {policy.kinematics}) and takes the one of the '
+        f'largest reward plus discounted value. Screening of unsafe actions: '
+        f'{"on" if policy.screening.enabled else "off"}.\n\n'
+        f'SHA-256 of the weights: `{digest}`'
+    )
+
+
+def intended_use(config: Config) -> str:
+    """
+    Return what the model is for.
+
+    :param config: of the checkpoint.
+    """
+    return (
+        '## Intended use\n\n'
+        f'Driving a {config.policy.kinematics} robot of radius {config.scenario.robot_radius:g} m '
+        f'at up to {config.scenario.robot_preferred_speed:g} m/s to a goal among pedestrians and '
+        'disc-shaped obstacles, in simulation and research. It is no safety system: a real robot '
+        'needs an independent one below it.'
+    )
+
+
+def training_data(config: Config, last: dict[str, float]) -> str:
+    """
+    Return what the model learned from.
+
+    :param config: of the checkpoint.
+    :param last: last line of the progress report, empty where there is none.
+    """
+    settings, scenario = config.training, config.scenario
+    imitation, curriculum = settings.imitation, settings.curriculum
+    lines = [
+        '## Training data\n',
+        f'Simulated episodes of `{scenario.name}` ({scenario.pedestrians} ORCA pedestrians, '
+        f'{scenario.obstacles} obstacles), cases of the `train` split, seed {config.seed}:\n',
+        f'- imitation: {imitation.episodes:,} episodes of an ORCA robot (safety space '
+        f'{imitation.safety_space:g} m), {imitation.epochs} epochs;',
+        f'- value learning: {settings.iterations} iterations of {settings.steps_per_iteration} '
+        f'steps in {settings.worlds} worlds, {settings.updates_per_iteration} updates each, '
+        f'Q(lambda) targets with lambda {settings.trace_decay:g}, look-ahead '
+        f'`{settings.lookahead}`;',
+        f'- products in {"bfloat16" if settings.bfloat16 else "float32"}, weights in float32.',
+    ]
+    if curriculum.enabled:
+        lines.append(
+            f'- curriculum: largest obstacle radius from {curriculum.start_radius:g} m to '
+            f'{curriculum.final_radius:g} m by {curriculum.radius_step:g} m whenever '
+            f'{curriculum.target_success:.0%} of {curriculum.window} episodes succeed.'
+        )
+    if last:
+        lines.append(
+            f'\nIn all {last["decisions"]:,.0f} decisions and {last["episodes"]:,.0f} episodes '
+            f'after imitation, {last["seconds"] / 60:.1f} min; largest obstacle radius at the end '
+            f'{last["obstacle_radius"]:g} m.'
+        )
+    return '\n'.join(lines)
+
+
+def results_section(results: list[dict[str, Any]]) -> str:
+    """
+    Return the measurements as a table.
+
+    :param results: of evaluations.
+    """
+    if not results:
+        return '## Results\n\nNot measured yet; see the last command below.'
+    lines = [
+        '## Results\n',
+        'Success with its 95 % Wilson interval; time is the mean over successes.\n',
+        '| scenario | look-ahead | screening | cases | success | collision | time-out | time, s |',
+        '|---|---|---|---|---|---|---|---|',
+    ]
+    for result in results:
+        low, high = result['success_interval']
+        time = result['navigation_time_mean']
+        lines.append(
+            f'| {result["scenario"]} | {result["lookahead"]} | '
+            f'{"on" if result["screening"] else "off"} | {result["episodes"]:,} '
+            f'{result["split"]}, seed {result["seed"]} | {result["success_rate"]:.4f} '
+            f'[{low:.4f}, {high:.4f}] | {result["collision_rate"]:.4f} | '
+            f'{result["timeout_rate"]:.4f} | {"-" if time is None else f"{time:.2f}"} |'
+        )
+    return '\n'.join(lines)
+
+
+def limits(config: Config) -> str:
+    """
+    Return where the model is not to be trusted.
+
+    :param config: of the checkpoint.
+    """
+    scenario = config.scenario
+    seen = 'see' if scenario.robot_visible else 'do not see'
+    return (
+        '## Limits\n\n'
+        '- The network sees positions, velocities and radii without noise or occlusion, and no '
+        'walls.\n'
+        f'- Its pedestrians follow ORCA at {scenario.pedestrian_speed:g} m/s and {seen} the '
+        'robot; people do neither.\n'
+        f'- It was trained with {scenario.agents} agents and obstacles up to '
+        f'{scenario.obstacle_radius_max:g} m of radius; more or larger ones are extrapolation.\n'
+        '- `constant_velocity` predicts that people walk straight on; `oracle` knows their next '
+        'step, which no robot does.'
+    )
+
+
+def reproduction(folder: Path, results: list[dict[str, Any]]) -> str:
+    """
+    Return the commands that make the model and its results again.
+
+    :param folder: of the checkpoint.
+    :param results: of evaluations.
+    """
+    commands = [f'OMP_NUM_THREADS=1 socialnav train {folder}/config.yaml --out out/{folder.name}']
+    commands += [
+        f'socialnav evaluate out/{folder.name} --scenario {result["scenario"]} '
+        f'--episodes {result["episodes"]} --seed {result["seed"]} --split {result["split"]} '
+        f'--lookahead {result["lookahead"]} '
+        f'{"--screening" if result["screening"] else "--no-screening"} --card'
+        for result in results or []
+    ]
+    if not results:
+        commands.append(f'socialnav evaluate out/{folder.name} --scenario simple --card')
+    block = '\n'.join(commands)
+    return (
+        '## Reproduce\n\n'
+        f'```\n{block}\n```\n\n'
+        'The same machine, thread count and library versions give the same weights bit by bit.'
+    )
+
+
+def last_row(path: Path) -> dict[str, float]:
+    """
+    Return the last line of a progress report, empty where there is none.
+
+    :param path: of the CSV file.
+    """
+    if not path.is_file():
+        return {}
+    with path.open(newline='', encoding='utf-8') as file:
+        rows = list(csv.DictReader(file))
+    return {name: float(value) for name, value in rows[-1].items()} if rows else {}

@@ -1,0 +1,78 @@
+"""What a run reports while it goes on: progress.csv, TensorBoard and a bar."""
+
+import csv
+from pathlib import Path
+
+from torch.utils.tensorboard import SummaryWriter
+from tqdm import tqdm
+
+CSV_NAME = 'progress.csv'
+COLUMNS = (
+    'iteration', 'decisions', 'episodes', 'success_rate', 'collision_rate', 'mean_time', 'loss',
+    'learning_rate', 'epsilon', 'obstacle_radius', 'decisions_per_second', 'seconds',
+)  # fmt: skip
+
+
+class Progress:
+    """The open reports of a run."""
+
+    def __init__(self, folder: Path, iterations: int, first: int, visible: bool) -> None:
+        """
+        Open the reports and drop what they hold of iterations that will be repeated.
+
+        :param folder: of the run.
+        :param iterations: in all.
+        :param first: iterations that are done already.
+        :param visible: whether to show a bar on stderr.
+        """
+        self._file = open_csv(folder / CSV_NAME, first)
+        self._rows = csv.DictWriter(self._file, COLUMNS)
+        self._board = SummaryWriter(str(folder), purge_step=first + 1 if first else None)
+        self._bar = tqdm(
+            total=iterations, initial=first, disable=not visible, desc='value learning',
+            unit='iteration', dynamic_ncols=True,
+        )  # fmt: skip
+
+    def __enter__(self) -> 'Progress':
+        """Return itself; the reports are open already."""
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        """Close the reports."""
+        self._bar.close()
+        self._board.close()
+        self._file.close()
+
+    def report(self, row: dict[str, float]) -> None:
+        """
+        Add the numbers of an iteration.
+
+        :param row: a number for each of COLUMNS.
+        """
+        self._rows.writerow({name: f'{value:.6g}' for name, value in row.items()})
+        self._file.flush()
+        for name in COLUMNS[1:]:
+            self._board.add_scalar(name, row[name], int(row['iteration']))
+        self._bar.set_postfix_str(
+            f'{row["decisions_per_second"]:.0f} decisions/s, success {row["success_rate"]:.3f}'
+        )
+        self._bar.update()
+
+
+def open_csv(path: Path, first: int):  # type: ignore[no-untyped-def]
+    """
+    Return the report opened for more rows, with a header and those of the first iterations only.
+
+    :param path: of the file.
+    :param first: iterations whose rows are kept.
+    """
+    rows = []
+    if first and path.is_file():
+        with path.open(newline='', encoding='utf-8') as file:
+            rows = [row for row in csv.DictReader(file) if int(row['iteration']) <= first]
+    file = path.open('w', newline='', encoding='utf-8')
+    writer = csv.DictWriter(file, COLUMNS)
+    writer.writeheader()
+    writer.writerows(rows)
+    file.flush()
+    return file

@@ -1,0 +1,125 @@
+"""Collection: worlds that run side by side under an exploring policy."""
+
+import dataclasses
+
+import numpy as np
+
+from socialnav_core.policies.lookahead import Decision, ValuePolicy
+from socialnav_core.simulation import observe, Simulator
+from socialnav_core.states import CrowdState, Observation
+from socialnav_core.training.targets import q_lambda_targets
+
+
+@dataclasses.dataclass
+class Rollout:
+    """What some steps of all worlds brought."""
+
+    observation: Observation
+    """What the robots saw, (steps * worlds, ...)."""
+    target: np.ndarray
+    """What those states are worth by Watkins' Q(lambda), (steps * worlds,)."""
+    case_index: np.ndarray
+    """Cases that ended, (episodes,)."""
+    outcome: np.ndarray
+    """Outcome codes of these, (episodes,)."""
+    time: np.ndarray
+    """Durations of these, s, (episodes,)."""
+    decision: Decision
+    """What the policy would do next, greedily; the first decision of the next rollout."""
+
+
+def collect(
+    simulator: Simulator,
+    policy: ValuePolicy,
+    decision: Decision,
+    steps: int,
+    epsilon: float,
+    trace_decay: float,
+    generator: np.random.Generator,
+) -> Rollout:
+    """
+    Run all worlds for some steps, with a random action in a share of them.
+
+    :param simulator: worlds, restarted as their episodes end.
+    :param policy: decides.
+    :param decision: of the policy in the present state.
+    :param steps: number of steps of each world.
+    :param epsilon: share of random actions.
+    :param trace_decay: lambda of the targets.
+    :param generator: source of exploration.
+    """
+    worlds = np.arange(simulator.batch_size)
+    observations, flows, ended_episodes = [], [], []
+    best_values = [decision.maximum()]
+    for _ in range(steps):
+        observations.append(observe(simulator.state, policy.kinematics))
+        action = explore(decision, epsilon, generator)
+        command = decision.commands[worlds, action]
+        state, reward, terminated, truncated, info = simulator.step(command)
+        flow = {
+            'reward': reward,
+            'terminated': terminated,
+            'truncated': truncated,
+            'greedy': action == decision.action,
+            'final_value': value_at_cut(policy, info['final_state'], truncated),
+        }
+        flows.append(flow)
+        ended = terminated | truncated
+        ended_episodes.append([info[name][ended] for name in ('case_index', 'outcome', 'time')])
+        decision = policy.decide(state)
+        best_values.append(decision.maximum())
+    target = q_lambda_targets(
+        **{name: np.stack([flow[name] for flow in flows]) for name in flows[0]},
+        best_value=np.stack(best_values),
+        discount=simulator.scenario.discount,
+        trace_decay=trace_decay,
+    )
+    columns = zip(*ended_episodes, strict=True)
+    case_index, outcome, time = (np.concatenate(column) for column in columns)
+    return Rollout(joined(observations), target.ravel(), case_index, outcome, time, decision)
+
+
+def explore(decision: Decision, epsilon: float, generator: np.random.Generator) -> np.ndarray:
+    """
+    Return actions, (batch,): greedy, but for a share drawn uniformly from the whole set.
+
+    :param decision: of the policy.
+    :param epsilon: share of random actions.
+    :param generator: source of randomness.
+    """
+    batch, actions = decision.values.shape
+    random = generator.integers(actions, size=batch)
+    return np.where(generator.random(batch) < epsilon, random, decision.action)
+
+
+def value_at_cut(policy: ValuePolicy, final: CrowdState, truncated: np.ndarray) -> np.ndarray:
+    """
+    Return the best value of states at which the time ran out, (batch,); zero elsewhere.
+
+    The worlds have moved on to other episodes, so nobody knows the next step of the people in
+    these states: they are taken to walk straight on.
+
+    :param policy: values the states.
+    :param final: states before the restart.
+    :param truncated: whether the time ran out, (batch,).
+    """
+    values = np.zeros(len(truncated), np.float32)
+    if truncated.any():
+        config = dataclasses.replace(policy.config, lookahead='constant_velocity')
+        decision = ValuePolicy(policy.network, config).decide(final.select(truncated))
+        values[truncated] = decision.maximum()
+    return values
+
+
+def joined(observations: list[Observation]) -> Observation:
+    """
+    Return observations one after the other along the batch axis.
+
+    :param observations: batches of the same number of agents.
+    """
+    return Observation(
+        *(
+            np.concatenate([getattr(each, name) for each in observations])
+            for name in ('robot', 'others', 'mask')
+        )
+    )

@@ -1,0 +1,124 @@
+"""All that changes while a run goes on, and how it is stored."""
+
+import dataclasses
+
+import numpy as np
+import torch
+
+from socialnav_core.config import Config, PolicyConfig, ScreeningConfig
+from socialnav_core.policies.lookahead import Decision, ValuePolicy
+from socialnav_core.simulation import Simulator
+from socialnav_core.training.checkpoint import (
+    Arrays,
+    network_arrays,
+    optimizer_arrays,
+    restore_network,
+    restore_optimizer,
+)
+from socialnav_core.training.curriculum import Curriculum
+from socialnav_core.training.episodes import EpisodeWindow
+from socialnav_core.training.randomness import initial_network
+from socialnav_core.training.replay_buffer import ReplayBuffer
+from socialnav_core.training.rollout import Rollout
+
+REPORTED_EPISODES = 200
+
+
+class Run:
+    """A run: network, optimizer, replay, worlds, level and counters."""
+
+    def __init__(self, config: Config) -> None:
+        """
+        Make everything as it is before the first iteration; the worlds are not laid out yet.
+
+        :param config: of the run.
+        """
+        settings = config.training
+        self.config = config
+        self.network = initial_network(config.policy, config.seed)
+        self.optimizer = torch.optim.Adam(
+            self.network.parameters(), lr=settings.learning_rate, fused=True
+        )
+        self.buffer = ReplayBuffer(settings.replay_capacity, config.scenario.agents)
+        self.episodes = EpisodeWindow(REPORTED_EPISODES, next_case=0)
+        self.curriculum = None
+        scenario = config.scenario
+        if settings.curriculum.enabled:
+            self.curriculum = Curriculum(settings.curriculum, next_case=0)
+            scenario = self.curriculum.scenario(scenario)
+        self.simulator = Simulator(scenario, settings.worlds)
+        self.policy = ValuePolicy(self.network, exploring_policy(config), settings.bfloat16)
+        self.policy.oracle = self.simulator.next_agent_velocities
+        self.decision: Decision  # in the present state, by the weights of then
+        self.iteration = 0
+        self.ended_episodes = 0
+        self.seconds = 0.0
+
+    @property
+    def obstacle_radius(self) -> float:
+        """Return the largest obstacle radius of the episodes that begin now, m."""
+        return self.simulator.scenario.obstacle_radius_max
+
+    def record(self, rollout: Rollout) -> None:
+        """
+        Count the episodes that ended and go to the next level when it is time.
+
+        :param rollout: of the iteration.
+        """
+        ended = (rollout.case_index, rollout.outcome, rollout.time)
+        self.ended_episodes += len(rollout.case_index)
+        self.episodes.record(*ended)
+        if self.curriculum is None:
+            return
+        self.curriculum.window.record(*ended)
+        if self.curriculum.advance(int(self.simulator.case_index.max()) + 1):
+            self.simulator.change_scenario(self.curriculum.scenario(self.config.scenario))
+
+    def sections(self) -> dict[str, Arrays]:
+        """Return all that `restore` needs, part by part."""
+        counters = {
+            'iteration': np.array(self.iteration),
+            'ended_episodes': np.array(self.ended_episodes),
+            'seconds': np.array(self.seconds),
+        }
+        return {
+            'network': network_arrays(self.network),
+            'optimizer': optimizer_arrays(self.optimizer),
+            'buffer': self.buffer.get_state(),
+            'episodes': self.episodes.get_state(),
+            'curriculum': self.curriculum.get_state() if self.curriculum else {},
+            'simulator': self.simulator.get_state(),
+            'decision': dataclasses.asdict(self.decision),
+            'counters': counters,
+        }
+
+    def restore(self, sections: dict[str, Arrays]) -> None:
+        """
+        Go on from a stored state.
+
+        :param sections: from `sections` of a run with the same configuration.
+        """
+        restore_network(self.network, sections['network'])
+        restore_optimizer(self.optimizer, sections.get('optimizer', {}))
+        self.buffer.set_state(sections['buffer'])
+        self.episodes.set_state(sections['episodes'])
+        if self.curriculum:
+            self.curriculum.set_state(sections['curriculum'])
+            self.simulator.change_scenario(self.curriculum.scenario(self.config.scenario))
+        self.simulator.set_state(sections['simulator'])
+        self.decision = Decision(**sections['decision'])
+        counters = sections['counters']
+        self.iteration = int(counters['iteration'])
+        self.ended_episodes = int(counters['ended_episodes'])
+        self.seconds = float(counters['seconds'])
+
+
+def exploring_policy(config: Config) -> PolicyConfig:
+    """
+    Return how actions are chosen in training: by the look-ahead of training, unscreened.
+
+    :param config: of the run.
+    """
+    return dataclasses.replace(
+        config.policy, lookahead=config.training.lookahead, screening=ScreeningConfig()
+    )

@@ -1,0 +1,194 @@
+"""Training of a value network: imitation, then collection and updates in turn."""
+
+from collections.abc import Callable
+from pathlib import Path
+import shlex
+import sys
+import time
+from typing import Any
+
+import numpy as np
+
+from socialnav_core.allocator import keep_freed_memory
+from socialnav_core.config import Config, Scenario
+from socialnav_core.policies import OrcaPolicy, Policy
+from socialnav_core.policies.checkpoint import save_weights
+from socialnav_core.policies.lookahead import ValuePolicy
+from socialnav_core.training.checkpoint import load_state, save_state
+from socialnav_core.training.folder import finish_folder, prepare_folder
+from socialnav_core.training.imitation import collect_demonstrations, imitate
+from socialnav_core.training.interruption import Interruption, TrainingInterrupted
+from socialnav_core.training.model_card import add_result, write_model_card
+from socialnav_core.training.precision import with_available_precision
+from socialnav_core.training.progress import Progress
+from socialnav_core.training.randomness import generator, Purpose
+from socialnav_core.training.regression import regress
+from socialnav_core.training.rollout import collect
+from socialnav_core.training.run import Run
+from socialnav_core.training.schedules import epsilon, learning_rate
+
+Evaluate = Callable[[Policy, Scenario], dict[str, Any]]
+
+
+def train(
+    config: Config,
+    out: Path,
+    resume: bool = False,
+    overwrite: bool = False,
+    evaluate: Evaluate | None = None,
+    progress: bool = True,
+) -> None:
+    """
+    Train a value network and leave a checkpoint folder.
+
+    Every saved state is complete: a run that was killed goes on from the last one with `resume`
+    and ends with the same bits as one that was not (same machine, same number of threads).
+
+    :param config: the run.
+    :param out: folder of the run.
+    :param resume: go on with the run in the folder.
+    :param overwrite: replace the run in the folder.
+    :param evaluate: measures the finished policy in a scenario; its result becomes metrics.json.
+    :param progress: whether to show on stderr how it goes.
+    :raises ConfigError: when the folder is taken, or cannot be resumed with this configuration.
+    :raises CheckpointError: when the state cannot be written.
+    :raises TrainingInterrupted: after Ctrl-C or SIGTERM; the run was saved.
+    """
+    config = with_available_precision(config)
+    settings = config.training
+    prepare_folder(out, resume, overwrite)
+    run = Run(config)
+    keep_freed_memory()
+    with Interruption() as interruption:
+        if resume:
+            run.restore(load_state(out, config))
+        else:
+            begin(run, progress)
+            save(run, out)
+        with Progress(out, settings.iterations, run.iteration, progress) as reports:
+            while run.iteration < settings.iterations and not interruption.requested:
+                reports.report(iterate(run))
+                if run.iteration % settings.checkpoint_iterations == 0:
+                    save(run, out)
+        save(run, out)
+        if interruption.requested:
+            raise TrainingInterrupted(how_to_resume(run, out))
+    if evaluate is not None:
+        add_result(out, evaluate(ValuePolicy(run.network, config.policy), config.scenario))
+    write_model_card(out)
+    finish_folder(out)
+
+
+def begin(run: Run, progress: bool) -> None:
+    """
+    Imitate, fill the replay with demonstrations and start the worlds of value learning.
+
+    Half of the replay is filled, so that the other half is there for what comes.
+
+    :param run: before its first iteration.
+    :param progress: whether to say on stderr what happens.
+    """
+    started = time.perf_counter()
+    config, settings = run.config, run.config.training
+    imitation = settings.imitation
+    if imitation.episodes:
+        demonstrator = OrcaPolicy(safety_space=imitation.safety_space)
+        demonstrations = collect_demonstrations(
+            run.simulator, demonstrator, imitation.episodes, config.seed
+        )
+        count = len(demonstrations.returns)
+        announce(f'imitation: {imitation.episodes} episodes of ORCA, {count} states', progress)
+        imitate(run.network, demonstrations, settings, generator(config.seed, Purpose.IMITATION))
+        order = generator(config.seed, Purpose.SELECTION).permutation(count)
+        run.buffer.append(*demonstrations.select(order[: settings.replay_capacity // 2]))
+    run.decision = run.policy.decide(run.simulator.reset(seed=config.seed, split='train'))
+    run.seconds = time.perf_counter() - started
+
+
+def iterate(run: Run) -> dict[str, float]:
+    """
+    Run all worlds for some steps, then update the network; return the numbers to report.
+
+    :param run: the run, advanced by one iteration.
+    """
+    started = time.perf_counter()
+    config, settings, iteration = run.config, run.config.training, run.iteration
+    rollout = collect(
+        run.simulator,
+        run.policy,
+        run.decision,
+        settings.steps_per_iteration,
+        epsilon(settings, iteration),
+        settings.trace_decay,
+        generator(config.seed, Purpose.EXPLORATION, iteration),
+    )
+    run.decision = rollout.decision
+    run.buffer.append(rollout.observation, rollout.target)
+
+    rate = learning_rate(settings, iteration)
+    draws = generator(config.seed, Purpose.REPLAY, iteration)
+    losses = []
+    for _ in range(settings.updates_per_iteration):
+        batch = run.buffer.sample(draws, settings.batch_size)
+        losses.append(
+            regress(
+                run.network, run.optimizer, batch, rate, settings.gradient_clip, settings.bfloat16
+            )
+        )
+
+    radius = run.obstacle_radius
+    run.record(rollout)
+    run.iteration += 1
+    seconds = time.perf_counter() - started
+    run.seconds += seconds
+    decisions = settings.worlds * settings.steps_per_iteration
+    return {
+        'iteration': run.iteration,
+        'decisions': run.iteration * decisions,
+        'episodes': run.ended_episodes,
+        'success_rate': run.episodes.success_rate,
+        'collision_rate': run.episodes.collision_rate,
+        'mean_time': run.episodes.mean_time,
+        'loss': float(np.mean(losses)) if losses else float('nan'),
+        'learning_rate': rate,
+        'epsilon': epsilon(settings, iteration),
+        'obstacle_radius': radius,
+        'decisions_per_second': decisions / seconds,
+        'seconds': run.seconds,
+    }
+
+
+def save(run: Run, out: Path) -> None:
+    """
+    Store the weights, so that the folder can be used, and the state, so that it can be resumed.
+
+    :param run: between two iterations.
+    :param out: folder of the run.
+    """
+    save_weights(out, run.network, run.config)
+    save_state(out, run.sections(), run.config)
+
+
+def how_to_resume(run: Run, out: Path) -> str:
+    """
+    Return what to tell the one who stopped a run.
+
+    :param run: stopped and saved.
+    :param out: its folder.
+    """
+    config, folder = shlex.quote(str(out / 'config.yaml')), shlex.quote(str(out))
+    return (
+        f'stopped and saved after iteration {run.iteration} of {run.config.training.iterations}; '
+        f'go on with: socialnav train {config} --out {folder} --resume'
+    )
+
+
+def announce(text: str, progress: bool) -> None:
+    """
+    Say on stderr what happens.
+
+    :param text: one line.
+    :param progress: whether anything is to be said.
+    """
+    if progress:
+        print(text, file=sys.stderr, flush=True)

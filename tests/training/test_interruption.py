@@ -1,0 +1,79 @@
+"""Laws of stopping a run from outside."""
+
+import dataclasses
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from socialnav_core.policies.checkpoint import checkpoint_digest
+from socialnav_core.settings import to_yaml
+from socialnav_core.training import train
+
+SCRIPT = """
+import sys
+from pathlib import Path
+from socialnav_core.training import TrainingInterrupted, read_config, train
+try:
+    train(read_config(sys.argv[1]), Path(sys.argv[2]), progress=False)
+except TrainingInterrupted as stop:
+    print(stop)
+"""
+DEADLINE = 60.0
+
+
+def start(config, folder):
+    """Start a run in another process."""
+    path = folder.with_suffix('.yaml')
+    path.write_text(to_yaml(config))
+    arguments = [sys.executable, '-c', SCRIPT, str(path), str(folder)]
+    return subprocess.Popen(
+        arguments,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+        env=os.environ | {'OMP_NUM_THREADS': '1'},
+    )
+
+
+def wait_for_state(process, folder):
+    """Wait until the first state is saved."""
+    end = time.monotonic() + DEADLINE
+    while not (folder / 'training_state.safetensors').exists():
+        assert process.poll() is None and time.monotonic() < end, 'no state was saved'
+        time.sleep(0.01)
+
+
+@pytest.fixture
+def longer_config(tiny_config):
+    """Return a run that lasts long enough to be hit by a signal."""
+    training = dataclasses.replace(tiny_config.training, iterations=40)
+    return dataclasses.replace(tiny_config, training=training)
+
+
+def test_killed_run_resumes_to_the_weights_of_an_uninterrupted_one(longer_config, tmp_path):
+    train(longer_config, tmp_path / 'whole', progress=False)
+    process = start(longer_config, tmp_path / 'cut')
+    wait_for_state(process, tmp_path / 'cut')
+    time.sleep(random.uniform(0.0, 0.5))
+    process.send_signal(signal.SIGKILL)
+    process.communicate(timeout=DEADLINE)
+    assert (tmp_path / 'cut' / 'training_state.safetensors').exists(), 'it was killed too late'
+    train(longer_config, tmp_path / 'cut', resume=True, progress=False)
+    assert checkpoint_digest(tmp_path / 'cut') == checkpoint_digest(tmp_path / 'whole')
+
+
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+def test_stopped_run_saves_itself_and_says_how_to_go_on(longer_config, tmp_path, number):
+    process = start(longer_config, tmp_path / 'run')
+    wait_for_state(process, tmp_path / 'run')
+    os.kill(process.pid, number)
+    output, _ = process.communicate(timeout=DEADLINE)
+    assert f'socialnav train {tmp_path}/run/config.yaml --out {tmp_path}/run --resume' in output
+    assert (tmp_path / 'run' / 'training_state.safetensors').exists()
+    train(longer_config, tmp_path / 'run', resume=True, progress=False)
+    assert not (tmp_path / 'run' / 'training_state.safetensors').exists()

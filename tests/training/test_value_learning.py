@@ -1,0 +1,163 @@
+"""Laws of a whole run."""
+
+import csv
+import dataclasses
+import json
+
+import pytest
+
+from socialnav_core.config import ConfigError
+from socialnav_core.policies import load_policy
+from socialnav_core.policies.checkpoint import checkpoint_digest, CheckpointError
+from socialnav_core.simulation import make_scenario, Simulator
+from socialnav_core.training import train, value_learning
+from socialnav_core.training.progress import COLUMNS
+
+
+def with_training(config, **settings):
+    """Return the configuration with some settings of training replaced."""
+    return dataclasses.replace(config, training=dataclasses.replace(config.training, **settings))
+
+
+def interrupted(monkeypatch, config, out, iterations, **options):
+    """Run until some iterations are done, then die."""
+    original = value_learning.iterate
+
+    def die_at(run):
+        if run.iteration == iterations:
+            raise RuntimeError('killed')
+        return original(run)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(value_learning, 'iterate', die_at)
+        with pytest.raises(RuntimeError, match='killed'):
+            train(config, out, progress=False, **options)
+
+
+def test_run_leaves_a_checkpoint_that_drives(tiny_config, tmp_path):
+    train(tiny_config, tmp_path / 'run', progress=False)
+    policy = load_policy(str(tmp_path / 'run'))
+    state = Simulator(make_scenario('simple'), 3).reset()
+    assert policy.act(state).shape == (3, 2)
+    assert not (tmp_path / 'run' / 'training_state.safetensors').exists()
+
+
+def test_same_seed_gives_the_same_weights_and_another_seed_others(tiny_config, tmp_path):
+    configs = (tiny_config, tiny_config, dataclasses.replace(tiny_config, seed=1))
+    digests = []
+    for index, config in enumerate(configs):
+        train(config, tmp_path / str(index), progress=False)
+        digests.append(checkpoint_digest(tmp_path / str(index)))
+    assert digests[0] == digests[1] != digests[2]
+
+
+@pytest.mark.parametrize('iterations', [0, 1, 3])
+def test_resumed_run_ends_with_the_weights_of_an_uninterrupted_one(
+    tiny_config, tmp_path, monkeypatch, iterations
+):
+    train(tiny_config, tmp_path / 'whole', progress=False)
+    interrupted(monkeypatch, tiny_config, tmp_path / 'cut', iterations)
+    train(tiny_config, tmp_path / 'cut', resume=True, progress=False)
+    assert checkpoint_digest(tmp_path / 'cut') == checkpoint_digest(tmp_path / 'whole')
+
+
+def test_resumed_curriculum_run_ends_with_the_weights_of_an_uninterrupted_one(
+    tiny_config, tmp_path, monkeypatch
+):
+    curriculum = dataclasses.replace(
+        tiny_config.training.curriculum, enabled=True, target_success=0.0, window=1
+    )
+    config = with_training(tiny_config, curriculum=curriculum, iterations=20)
+    config = dataclasses.replace(
+        config, scenario=dataclasses.replace(config.scenario, obstacle_radius_max=1.1)
+    )
+    train(config, tmp_path / 'whole', progress=False)
+    interrupted(monkeypatch, config, tmp_path / 'cut', 17)
+    train(config, tmp_path / 'cut', resume=True, progress=False)
+    assert progress_rows(tmp_path / 'cut')[-1]['obstacle_radius'] != '0.3'
+    assert checkpoint_digest(tmp_path / 'cut') == checkpoint_digest(tmp_path / 'whole')
+
+
+def progress_rows(folder):
+    """Return the rows of the progress report."""
+    with (folder / 'progress.csv').open(newline='') as file:
+        return list(csv.DictReader(file))
+
+
+def test_progress_has_one_row_an_iteration_also_after_a_resumption(
+    tiny_config, tmp_path, monkeypatch
+):
+    config = with_training(tiny_config, checkpoint_iterations=2)
+    interrupted(monkeypatch, config, tmp_path / 'run', 3)
+    train(config, tmp_path / 'run', resume=True, progress=False)
+    rows = progress_rows(tmp_path / 'run')
+    assert [int(row['iteration']) for row in rows] == [1, 2, 3, 4]
+    assert tuple(rows[0]) == COLUMNS
+    assert list((tmp_path / 'run').glob('events.out.tfevents.*'))
+
+
+def test_resuming_with_another_setting_names_it(tiny_config, tmp_path, monkeypatch):
+    interrupted(monkeypatch, tiny_config, tmp_path / 'run', 1)
+    other = with_training(tiny_config, trace_decay=0.5)
+    with pytest.raises(ConfigError, match='training.trace_decay = 0.7, not 0.5'):
+        train(other, tmp_path / 'run', resume=True, progress=False)
+
+
+def test_nothing_is_resumed_where_nothing_was_saved(tiny_config, tmp_path):
+    with pytest.raises(ConfigError, match='no unfinished run'):
+        train(tiny_config, tmp_path / 'run', resume=True, progress=False)
+
+
+def test_existing_run_is_not_touched(tiny_config, tmp_path):
+    train(tiny_config, tmp_path / 'run', progress=False)
+    before = checkpoint_digest(tmp_path / 'run')
+    with pytest.raises(ConfigError, match='not empty'):
+        train(dataclasses.replace(tiny_config, seed=1), tmp_path / 'run', progress=False)
+    assert checkpoint_digest(tmp_path / 'run') == before
+
+
+def test_damaged_state_is_refused(tiny_config, tmp_path, monkeypatch):
+    interrupted(monkeypatch, tiny_config, tmp_path / 'run', 1)
+    path = tmp_path / 'run' / 'training_state.safetensors'
+    content = bytearray(path.read_bytes())
+    content[-100] ^= 1
+    path.write_bytes(content)
+    with pytest.raises(CheckpointError, match='damaged'):
+        train(tiny_config, tmp_path / 'run', resume=True, progress=False)
+
+
+def test_failing_write_keeps_the_state_that_was_saved_last(tiny_config, tmp_path, monkeypatch):
+    interrupted(monkeypatch, tiny_config, tmp_path / 'run', 2)
+    saved = (tmp_path / 'run' / 'training_state.safetensors').read_bytes()
+
+    def full_disk(path, data):
+        raise OSError(28, 'No space left on device')
+
+    with monkeypatch.context() as patch:
+        patch.setattr('socialnav_core.training.checkpoint.atomic_write', full_disk)
+        with pytest.raises(CheckpointError, match='No space left on device'):
+            train(tiny_config, tmp_path / 'run', resume=True, progress=False)
+    assert (tmp_path / 'run' / 'training_state.safetensors').read_bytes() == saved
+    train(tiny_config, tmp_path / 'run', resume=True, progress=False)
+
+
+def test_evaluation_of_the_finished_policy_becomes_metrics_and_model_card(tiny_config, tmp_path):
+    def evaluate(policy, scenario):
+        assert policy.config == tiny_config.policy and scenario == tiny_config.scenario
+        return {
+            'scenario': scenario.name, 'lookahead': 'constant_velocity', 'screening': False,
+            'success_rate': 0.5, 'success_interval': [0.25, 0.75], 'collision_rate': 0.5,
+            'timeout_rate': 0.0, 'navigation_time_mean': None, 'episodes': 2, 'seed': 0,
+            'split': 'validation', 'cases': [],
+        }  # fmt: skip
+
+    train(tiny_config, tmp_path / 'run', evaluate=evaluate, progress=False)
+    metrics = json.loads((tmp_path / 'run' / 'metrics.json').read_text())
+    assert metrics['simple']['success_rate'] == 0.5 and 'cases' not in metrics['simple']
+    assert '0.5000 [0.2500, 0.7500]' in (tmp_path / 'run' / 'README.md').read_text()
+
+
+def test_run_without_imitation_learns_from_its_own_states(tiny_config, tmp_path):
+    imitation = dataclasses.replace(tiny_config.training.imitation, episodes=0)
+    train(with_training(tiny_config, imitation=imitation), tmp_path / 'run', progress=False)
+    assert (tmp_path / 'run' / 'weights.safetensors').exists()
