@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from socialnav.conversions import RobotBody, crowd_state
+from socialnav.conversions import crowd_state, RobotBody
 from socialnav.stamps import nanoseconds_of
 from socialnav_core.simulation import make_scenario
 from socialnav_core.states import CrowdState

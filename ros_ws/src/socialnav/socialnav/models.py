@@ -10,7 +10,7 @@ import torch
 from socialnav.controller_settings import ControllerSettings
 from socialnav.conversions import RobotBody
 from socialnav_core.config import ConfigError
-from socialnav_core.policies import Policy, load_policy
+from socialnav_core.policies import load_policy, Policy
 from socialnav_core.states import CrowdState
 
 BASELINES = ('orca', 'straight_line')

@@ -44,8 +44,8 @@ KINEMATICS = ('holonomic', 'differential')
 
 SIMULATOR_PARAMETERS = (
     Entry('scenario', 'hard', 'world to simulate; `socialnav scenarios` lists them'),
-    Entry('seed', 0, 'seed of the test cases 0, 1, 2, ...', range=(0, 2**62)),
-    Entry('episodes', 0, 'episodes to run before the world stands; 0: endless', range=(0, 2**31)),
+    Entry('seed', 0, 'seed of the test cases 0, 1, 2, ...', range=(0, 10**9)),
+    Entry('episodes', 0, 'episodes to run before the world stands; 0: endless', range=(0, 10**6)),
     Entry('lockstep', False, 'one step of the world per command instead of real time'),
     Entry('real_time_factor', 1.0, 'simulated time per real time', '', (0.01, 100.0), live=True),
     Entry('publish_rate', 20.0, 'states published per second (real time)', 'Hz', (1.0, 1000.0)),

@@ -11,10 +11,10 @@ from std_msgs.msg import Bool
 
 from socialnav import qos
 from socialnav.commands import stamped_twist_message, twist_message
-from socialnav.controller import ARRIVED, NO_COMMAND, Controller, Decision
+from socialnav.controller import ARRIVED, Controller, Decision, NO_COMMAND
 from socialnav.controller_settings import controller_settings
 from socialnav.models import ready_policy
-from socialnav.parameters import POLICY_PARAMETERS, declare
+from socialnav.parameters import declare, POLICY_PARAMETERS
 from socialnav.running import run
 from socialnav.watchdog import Watchdog
 from socialnav_msgs.msg import AgentStates

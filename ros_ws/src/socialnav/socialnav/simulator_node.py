@@ -7,7 +7,7 @@ from typing import Any
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from nav_msgs.msg import OccupancyGrid, Odometry
 from rclpy.clock import Clock, ClockType
-from rclpy.event_handler import PublisherEventCallbacks
+from rclpy.event_handler import PublisherEventCallbacks, QoSPublisherMatchedInfo
 from rclpy.node import Node
 from rosgraph_msgs.msg import Clock as ClockMessage
 from std_srvs.srv import SetBool
@@ -18,7 +18,7 @@ from socialnav.commands import command_array
 from socialnav.conversions import ConversionError, goal_array
 from socialnav.markers import world_markers
 from socialnav.occupancy import map_message
-from socialnav.parameters import SIMULATOR_PARAMETERS, declare
+from socialnav.parameters import declare, SIMULATOR_PARAMETERS
 from socialnav.running import run
 from socialnav.simulator_settings import simulator_settings
 from socialnav.stamps import nanoseconds_of, time_message
@@ -29,6 +29,11 @@ from socialnav_msgs.srv import StartEpisode
 
 OWN_GOALS = 100
 """Number of latest own goals that are recognised when they come back."""
+
+TELLINGS = 5
+"""Number of times that a new subscriber is told the goal."""
+TELLING_PERIOD = 0.2
+"""Time between them, s."""
 
 
 class SimulatorNode(Node):
@@ -87,10 +92,12 @@ class SimulatorNode(Node):
         self.create_service(SetBool, '~/pause', self.on_pause)
 
     def create_pace(self) -> None:
-        """Make the timer: each tick of it is a step, or in lockstep a look for a lost message."""
+        """Make the timers: a tick is a step, or in lockstep a look for a lost message."""
         steady = Clock(clock_type=ClockType.STEADY_TIME)
         callback = self.on_no_answer if self.lockstep else self.on_tick
         self.pace = self.create_timer(self.settings.timer_period, callback, clock=steady)
+        self.tellings = TELLINGS
+        self.teller = self.create_timer(TELLING_PERIOD, self.on_telling, clock=steady)
 
     def on_parameters(self, parameters: list) -> None:
         """
@@ -157,17 +164,25 @@ class SimulatorNode(Node):
         if not self.lockstep:
             self.publish(standing_messages(self.world.state, self.stamp(), self.frames))
 
-    def on_goal_subscriber(self, event: Any) -> None:
+    def on_goal_subscriber(self, event: QoSPublisherMatchedInfo) -> None:
         """
         Tell a newcomer the goal, which is volatile.
 
         :param event: how many subscribers there are.
         """
-        if event.current_count_change > 0 and not self.world.standing:
-            if self.lockstep:
-                self.publish_state()
-            else:
-                self.outputs['goal_pose'].publish(self.goal)
+        if event.current_count_change > 0:
+            self.tellings = TELLINGS
+            self.teller.reset()
+
+    def on_telling(self) -> None:
+        """Publish the goal again: the first time, a newcomer may not be ready to hear it."""
+        self.tellings -= 1
+        if self.tellings <= 0:
+            self.teller.cancel()
+        if self.lockstep:
+            self.on_no_answer()
+        else:
+            self.outputs['goal_pose'].publish(self.goal)
 
     def on_start_episode(
         self, request: StartEpisode.Request, response: StartEpisode.Response

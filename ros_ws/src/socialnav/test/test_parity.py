@@ -9,10 +9,11 @@ from socialnav import qos
 from socialnav.stamps import nanoseconds_of
 from socialnav.world import OUTCOMES
 from socialnav_core.policies import load_policy
-from socialnav_core.simulation import Outcome, Simulator, make_scenario
+from socialnav_core.simulation import make_scenario, Outcome, Simulator
 from socialnav_msgs.msg import EpisodeResult
 
 CASES = 20
+MANY = 100
 SEED = 11
 needs_model = pytest.mark.skipif(
     not default_model_folder().is_dir(), reason='the default model is not installed'
@@ -33,19 +34,21 @@ def offline(policy, scenario, case):
 
 
 @pytest.mark.parametrize(
-    ('model', 'scenario'),
+    ('model', 'scenario', 'cases'),
     [
-        ('orca', 'hard'),
-        ('orca', 'crowd20'),
-        pytest.param(TRAINED, 'hard', marks=needs_model, id='default_model-hard'),
+        ('orca', 'hard', CASES),
+        ('orca', 'crowd20', CASES),
+        pytest.param(TRAINED, 'hard', CASES, marks=needs_model, id='default_model-hard'),
+        pytest.param('orca', 'hard', MANY, marks=pytest.mark.slow),
+        pytest.param(TRAINED, 'hard', MANY, marks=[needs_model, pytest.mark.slow], id='many'),
     ],
 )
-def test_a_case_ends_alike_offline_and_through_the_graph(graph, model, scenario):
+def test_a_case_ends_alike_offline_and_through_the_graph(graph, model, scenario, cases):
     results = graph.listen(EpisodeResult, 'episode_result', qos.LATCHED_RECORDING)
     odometry = graph.listen(Odometry, 'odom')
-    graph.start('simulator_node', lockstep=True, scenario=scenario, seed=SEED, episodes=CASES)
+    graph.start('simulator_node', lockstep=True, scenario=scenario, seed=SEED, episodes=cases)
     graph.start('policy_node', lockstep=True, scenario=scenario, model=model)
-    graph.wait(lambda: len(results) == CASES, 'end of the episodes', deadline=90.0)
+    graph.wait(lambda: len(results) == cases, 'end of the episodes', deadline=110.0)
     graph.spin(0.2)
     final = {nanoseconds_of(one.header.stamp): one.pose.pose.position for one in odometry}
     policy, world = load_policy(model), make_scenario(scenario)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from socialnav.world import World
-from socialnav_core.simulation import Simulator, make_scenario
+from socialnav_core.simulation import make_scenario, Simulator
 
 SECOND = 10**9
 

@@ -1,0 +1,107 @@
+"""The tables of the README are those of the code."""
+
+from pathlib import Path
+
+import pytest
+from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
+
+from socialnav.parameters import POLICY_PARAMETERS, SIMULATOR_PARAMETERS
+
+README = (Path(__file__).parents[1] / 'README.md').read_text()
+OWN_TOPICS = ('/rosout', '/parameter_events')
+NODES = {'simulator_node': {'publish_clock': True}, 'policy_node': {'model': 'orca'}}
+
+
+def section(name):
+    """Return the text below a heading of the second level."""
+    return README.split(f'\n## {name}\n')[1].split('\n## ')[0]
+
+
+def rows(text, first_column):
+    """Return the cells of each row of the table with a heading, without the heading."""
+    table = text.split(f'| {first_column} |')[1].split('\n\n')[0].splitlines()[2:]
+    return [[cell.strip() for cell in row.strip('|').split('|')] for row in table]
+
+
+def shown(value):
+    """Return a value as YAML has it."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f'{value:g}' if isinstance(value, float) else str(value)
+
+
+def values_of(entry):
+    """Return what the README says that a parameter may be."""
+    if entry.choices:
+        return ', '.join(f'`{choice}`' for choice in entry.choices)
+    if entry.range:
+        return ' to '.join(map(shown, entry.range))
+    return 'true, false' if isinstance(entry.default, bool) else 'text'
+
+
+@pytest.mark.parametrize(
+    ('name', 'table'),
+    [('simulator_node', SIMULATOR_PARAMETERS), ('policy_node', POLICY_PARAMETERS)],
+)
+def test_the_readme_lists_every_parameter_as_it_is(name, table):
+    expected = [
+        [
+            f'`{entry.name}`', shown(entry.default), values_of(entry), entry.unit or '-',
+            'yes' if entry.live else 'no', entry.description,
+        ]
+        for entry in table
+    ]  # fmt: skip
+    assert rows(section(name), 'parameter') == expected
+
+
+def endpoints(graph, node):
+    """Return (direction, topic, type, reliability, durability) of everything a node has."""
+    found = set()
+    for topic, _ in graph.node.get_topic_names_and_types():
+        for direction, ends in (
+            ('pub', graph.node.get_publishers_info_by_topic(topic)),
+            ('sub', graph.node.get_subscriptions_info_by_topic(topic)),
+        ):
+            for end in ends:
+                if end.node_name == node and topic not in OWN_TOPICS:
+                    found.add(
+                        (direction, topic, end.topic_type.replace('/msg/', '/'), *qos_of(end))
+                    )
+    return found
+
+
+def qos_of(end):
+    """Return reliability and durability in words."""
+    reliable = end.qos_profile.reliability == ReliabilityPolicy.RELIABLE
+    latched = end.qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
+    return 'reliable' if reliable else 'best effort', 'latched' if latched else 'volatile'
+
+
+@pytest.mark.parametrize('name', NODES)
+def test_the_readme_lists_every_topic_as_it_is(graph, name):
+    expected = set()
+    for direction, topic, kind, reliability, durability, _ in rows(section(name), 'direction'):
+        full = topic.strip('`').replace('~', f'/{name}')
+        full = full if full.startswith('/') else f'/{full}'
+        expected.add((direction, full, kind, reliability, durability))
+    graph.start(name, **NODES[name])
+    graph.wait(lambda: len(endpoints(graph, name)) >= len(expected), 'topics')
+    assert endpoints(graph, name) == expected
+
+
+def test_the_readme_lists_every_service_as_it_is(graph):
+    graph.start('simulator_node')
+    expected = {
+        (f'/simulator_node{service.strip("`~")}', kind.replace('/', '/srv/'))
+        for service, kind, _ in rows(section('simulator_node'), 'service')
+    }
+
+    def services():
+        return {
+            (service, kinds[0])
+            for service, kinds in graph.node.get_service_names_and_types()
+            if service.startswith('/simulator_node/') and 'interfaces' not in kinds[0]
+        }
+
+    graph.wait(lambda: services() >= expected, 'services')
+    assert services() == expected
