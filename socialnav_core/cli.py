@@ -5,11 +5,20 @@ from collections.abc import Sequence
 import os
 import sys
 
-from socialnav_core.commands import compare, evaluate, models, render, scenarios, train
+from socialnav_core.commands import (
+    benchmark,
+    compare,
+    evaluate,
+    models,
+    render,
+    reproduce,
+    scenarios,
+    train,
+)
 from socialnav_core.commands.arguments import Parser
 from socialnav_core.config import ConfigError
 
-COMMANDS = (train, evaluate, compare, render, models, scenarios)
+COMMANDS = (train, evaluate, compare, reproduce, render, benchmark, models, scenarios)
 """Modules with `add_parser`, which names the function that runs the command."""
 
 FAILURE, USAGE, INTERRUPTED = 1, 2, 130
@@ -53,10 +62,11 @@ def build_parser() -> argparse.ArgumentParser:
 def expected_failures() -> tuple[type[Exception], ...]:
     """Return the errors that are told in one line; others are defects and keep their traceback."""
     from socialnav_core.policies import CheckpointError
+    from socialnav_core.reproduction.jobs import JobError
     from socialnav_core.simulation import PackingError
     from socialnav_core.training import TrainingInterrupted
 
-    return (CheckpointError, PackingError, TrainingInterrupted, OSError)
+    return (CheckpointError, JobError, PackingError, TrainingInterrupted, OSError)
 
 
 def complain(given: argparse.Namespace, error: object, code: int) -> int:

@@ -9,7 +9,8 @@ from socialnav_core.commands.arguments import add_command
 from socialnav_core.config import ConfigError
 
 EXAMPLES = """
-out"""
+out
+--cards"""
 
 COLUMNS = ('name', 'network', 'parameters', 'trained in', 'success (time)', 'digest')
 HEADLINES = 4
@@ -27,6 +28,9 @@ def add_parser(commands: Any) -> None:
     parser.add_argument(
         'folder', metavar='DIR', nargs='?', type=Path, help='folder of checkpoints (models/)'
     )
+    parser.add_argument(
+        '--cards', action='store_true', help='write the model cards anew from metrics.json'
+    )
 
 
 def run(given: argparse.Namespace) -> None:
@@ -40,10 +44,26 @@ def run(given: argparse.Namespace) -> None:
     from socialnav_core.policies.checkpoint import WEIGHTS
 
     parent = given.folder or MODELS
+    if not parent.is_dir():
+        raise ConfigError(f'there is no folder {parent}')
     folders = sorted(path.parent for path in parent.glob(f'*/{WEIGHTS}'))
     if not folders:
         raise ConfigError(f'no models in {parent}; train one with socialnav train quick')
+    if given.cards:
+        write_cards(folders)
     print(table([COLUMNS, *(row(folder) for folder in folders)]))
+
+
+def write_cards(folders: list[Path]) -> None:
+    """
+    Write the card of each model anew.
+
+    :param folders: of the checkpoints.
+    """
+    from socialnav_core.training import write_model_card
+
+    for folder in folders:
+        write_model_card(folder)
 
 
 def row(folder: Path) -> tuple[str, ...]:
@@ -53,15 +73,15 @@ def row(folder: Path) -> tuple[str, ...]:
     :param folder: of the checkpoint.
     """
     from socialnav_core.policies.checkpoint import (
-        CheckpointError,
         checkpoint_digest,
+        CheckpointError,
         load_checkpoint,
     )
 
     try:
         network, config = load_checkpoint(folder)
     except CheckpointError as error:
-        return (folder.name, f'damaged: {error}', '', '', '', '')
+        return (folder.name, 'damaged', '', '', str(error), '')
     parameters = sum(parameter.numel() for parameter in network.parameters())
     heads = f' ({config.policy.heads} heads)' if config.policy.network == 'gat4sn' else ''
     return (

@@ -35,7 +35,7 @@ def run(given: argparse.Namespace) -> None:
     """
     from socialnav_core.evaluation.report import table
     from socialnav_core.settings import to_yaml
-    from socialnav_core.simulation import SCENARIOS, make_scenario
+    from socialnav_core.simulation import make_scenario, SCENARIOS
 
     if given.scenario is not None:
         print(to_yaml(make_scenario(given.scenario)), end='')

@@ -1,0 +1,1 @@
+"""Speed of the simulator, of decisions and of training, beside a plain reference."""
