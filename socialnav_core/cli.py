@@ -63,7 +63,6 @@ def expected_failures() -> tuple[type[Exception], ...]:
     """Return the errors that are told in one line; others are defects and keep their traceback."""
     from socialnav_core.policies import CheckpointError
     from socialnav_core.reproduction.jobs import JobError
-    from socialnav_core.simulation import PackingError
     from socialnav_core.training import TrainingInterrupted
 
     return (CheckpointError, JobError, PackingError, TrainingInterrupted, OSError)
