@@ -1,0 +1,54 @@
+"""Numbers and tables as Markdown."""
+
+from collections.abc import Sequence
+
+from socialnav_core.evaluation.statistics import Estimate
+
+NOTHING = '-'
+LOOKAHEAD_LABELS = {'oracle': 'oracle', 'constant_velocity': 'constant velocity'}
+DIGITS = {'time': 2}
+"""Digits after the point; 3 for rates."""
+
+
+def markdown_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """
+    Return a table.
+
+    :param head: names of the columns.
+    :param rows: cells, as many in each row.
+    """
+    lines = [head, ['---'] * len(head), *rows]
+    return '\n'.join(f'| {" | ".join(cells)} |' for cells in lines)
+
+
+def number(value: float | None, figure: str) -> str:
+    """
+    Return a number, a dash for None.
+
+    :param value: the number.
+    :param figure: what it is, which says how many digits it has.
+    """
+    return NOTHING if value is None else f'{value:.{DIGITS.get(figure, 3)}f}'
+
+
+def estimate_text(estimate: Estimate | None, figure: str, sign: str = '') -> str:
+    """
+    Return a mean with its interval, a dash for None.
+
+    :param estimate: the mean.
+    :param figure: what it is, which says how many digits it has.
+    :param sign: + where differences get a sign.
+    """
+    if estimate is None:
+        return NOTHING
+    form = f'{sign}.{DIGITS.get(figure, 3)}f'
+    return f'{estimate.mean:{form}} [{estimate.low:{form}}, {estimate.high:{form}}]'
+
+
+def p_value(value: float) -> str:
+    """
+    Return a probability with two significant digits.
+
+    :param value: 0 to 1.
+    """
+    return f'{value:.2g}'

@@ -1,0 +1,243 @@
+"""A page of docs/results, made of the measurements alone."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from socialnav_core.reproduction import runs
+from socialnav_core.reproduction.experiments import Experiment
+from socialnav_core.reproduction.laboratory import Laboratory
+from socialnav_core.reproduction.markdown import (
+    estimate_text,
+    LOOKAHEAD_LABELS,
+    markdown_table,
+    NOTHING,
+    number,
+    p_value,
+)
+from socialnav_core.reproduction.paired import PairedDifference
+from socialnav_core.reproduction.report_tables import report_table, verdict_table
+from socialnav_core.reproduction.summary import FIGURES, seed_interval, Summary
+
+FIGURE_COLUMNS = ('Success', 'Collision', 'Time-out', 'Time (s)')
+
+
+def table_page(
+    experiment: Experiment,
+    summaries: Sequence[Summary],
+    differences: Sequence[PairedDifference],
+    laboratory: Laboratory,
+    command: str,
+    notes: Path,
+) -> str:
+    """
+    Return the page of a table.
+
+    :param experiment: the table.
+    :param summaries: of all its rows.
+    :param differences: of its pairs.
+    :param laboratory: that measured them.
+    :param command: that makes the page.
+    :param notes: a file of prose that is taken over where it exists.
+    """
+    sections = [
+        opening(experiment, command, laboratory),
+        f"## The report's figures and ours\n\n{report_table(experiment, summaries)}",
+        verdicts(summaries),
+        interpretation(notes),
+        intervals(summaries),
+        paired(differences),
+        every_seed(summaries),
+        training(experiment, laboratory),
+        f'## What is new\n\n{experiment.new}',
+        f'## Deviations\n\n{experiment.deviations}',
+    ]
+    return '\n\n'.join(section for section in sections if section) + '\n'
+
+
+def opening(experiment: Experiment, command: str, laboratory: Laboratory) -> str:
+    """
+    Return title, question, conditions and command.
+
+    :param experiment: the table or figure.
+    :param command: that makes the page.
+    :param laboratory: says how many cases there are.
+    """
+    smoke = '\n\nThis is a smoke run: nothing was learned.' if laboratory.quick else ''
+    return (
+        f'# {experiment.title}\n\n{experiment.question}\n\n'
+        f'Measured on {laboratory.episodes} frozen cases (split `test`, seed 0), each run exactly '
+        'once, without screening of actions. Collisions include leaving the walls; times are '
+        'means over successes. The oracle look-ahead knows the next step of the people, as in the '
+        'report; constant velocity is what a robot can use.\n\n'
+        f'    {command}{smoke}'
+    )
+
+
+def verdicts(summaries: Sequence[Summary]) -> str:
+    """
+    Return the section that judges each figure of the report.
+
+    :param summaries: of all rows.
+    """
+    return (
+        '## Verdicts\n\nOur mean over the training seeds against the figure of the report; its '
+        f"interval is Wilson's at its 500 cases.\n\n{verdict_table(summaries)}"
+    )
+
+
+def interpretation(notes: Path) -> str:
+    """
+    Return the prose that people wrote about the results, empty where there is none.
+
+    :param notes: its file.
+    """
+    if not notes.is_file():
+        return ''
+    return f'## Interpretation\n\n{notes.read_text(encoding="utf-8").strip()}'
+
+
+def intervals(summaries: Sequence[Summary]) -> str:
+    """
+    Return the section with the means over seeds and their intervals.
+
+    :param summaries: of all rows.
+    """
+    head = [
+        'Model',
+        'World',
+        'Look-ahead',
+        'Seeds',
+        'Success',
+        'Collision',
+        'Time-out',
+        'Time (s)',
+    ]
+    lines = [
+        [each.row.label, f'`{each.scenario}`', LOOKAHEAD_LABELS[each.lookahead],
+         str(len(each.seeds)),
+         *(estimate_text(each.estimate(figure), figure) for figure in FIGURES)]
+        for each in summaries
+    ]  # fmt: skip
+    return (
+        '## Means over training seeds\n\n95 % intervals of a bootstrap that draws seeds and '
+        f'cases; with one seed they speak of the cases alone.\n\n{markdown_table(head, lines)}'
+    )
+
+
+def paired(differences: Sequence[PairedDifference]) -> str:
+    """
+    Return the section with the differences on the same cases.
+
+    :param differences: of pairs of rows.
+    """
+    if not differences:
+        return ''
+    head = ['First', 'Second', 'World', 'Look-ahead', 'Success, first - second',
+            'Only first : only second', 'Seeds better : worse', 'Least p (Holm)',
+            'Time where both arrive (s)']  # fmt: skip
+    lines = [
+        [each.first.row.label, each.second.row.label, f'`{each.first.scenario}`',
+         LOOKAHEAD_LABELS[each.first.lookahead], estimate_text(each.success, 'success', '+'),
+         f'{each.pooled[0]} : {each.pooled[1]}', seeds_won(each), p_value(min(each.adjusted)),
+         estimate_text(each.time, 'time', '+')]
+        for each in differences
+    ]  # fmt: skip
+    count = sum(len(each.tests) for each in differences)
+    return (
+        '## Paired differences on the same cases\n\nIntervals: 95 %, bootstrap over seeds and '
+        "cases. Each seed of the first is tested against the same seed of the second by McNemar's "
+        f"exact test; the p-values are adjusted for all {count} tests by Holm's method, and the "
+        'least one of a line is shown: below 0.05, at least one seed differs.\n\n'
+        f'{markdown_table(head, lines)}'
+    )
+
+
+def seeds_won(difference: PairedDifference) -> str:
+    """
+    Return in how many seeds the first solved more cases than the second, and fewer.
+
+    :param difference: of two rows.
+    """
+    better = sum(test.first_only > test.second_only for test in difference.tests)
+    worse = sum(test.first_only < test.second_only for test in difference.tests)
+    return f'{better} : {worse}'
+
+
+def every_seed(summaries: Sequence[Summary]) -> str:
+    """
+    Return the section with the figures of each seed.
+
+    :param summaries: of all rows.
+    """
+    head = ['Model', 'World', 'Look-ahead', 'Seed', *FIGURE_COLUMNS]
+    lines = []
+    for each in summaries:
+        for seed, one in zip(each.seeds, each.measurements, strict=True):
+            low, high = seed_interval(one)
+            alone = Summary(each.row, each.scenario, each.lookahead, (seed,), (one,))
+            success, *others = (number(alone.mean(figure), figure) for figure in FIGURES)
+            lines.append(
+                [each.row.label, f'`{each.scenario}`', LOOKAHEAD_LABELS[each.lookahead],
+                 str(seed), f'{success} [{low:.3f}, {high:.3f}]', *others]
+            )  # fmt: skip
+    return f"## Every seed\n\n95 % intervals: Wilson's.\n\n{markdown_table(head, lines)}"
+
+
+def training(experiment: Experiment, laboratory: Laboratory) -> str:
+    """
+    Return the section that says how the rows were trained and how long it took.
+
+    :param experiment: the table or figure.
+    :param laboratory: that trained them.
+    """
+    head = [
+        'Model',
+        'Run',
+        'Configuration',
+        'Seeds',
+        'Minutes each',
+        'Episodes each',
+        'Trained on',
+    ]
+    lines = []
+    for entry in experiment.entries:
+        row = entry.row
+        folders = [laboratory.run(row, seed) for seed in range(entry.seeds)]
+        last = [runs.last_progress(folder) for folder in folders]
+        settings = runs.assignment_texts(row.settings)
+        lines.append(
+            [row.label, f'`{row.name}`', f'`{" ".join([row.config, *settings])}`',
+             str(entry.seeds), span([each['seconds'] / 60 for each in last], 1),
+             span([each['episodes'] for each in last], 0), machines(folders)]
+        )  # fmt: skip
+    return (
+        '## Training\n\nEach run is a process with one thread; minutes are of the wall clock, '
+        'imitation included; episodes are those of value learning.\n\n'
+        f'{markdown_table(head, lines)}'
+    )
+
+
+def machines(folders: Sequence[Path]) -> str:
+    """
+    Return where runs were trained.
+
+    :param folders: of the runs.
+    """
+    found = {
+        f'{values["device"]} ({values["name"]}, {values["jobs"]} runs side by side, torch '
+        f'{values["torch"]})'
+        for values in map(runs.machine_of, folders)
+        if values
+    }
+    return '; '.join(sorted(found)) or NOTHING
+
+
+def span(values: Sequence[float], digits: int) -> str:
+    """
+    Return the least and the greatest value, or the only one.
+
+    :param values: at least one.
+    :param digits: after the point.
+    """
+    low, high = f'{min(values):,.{digits}f}', f'{max(values):,.{digits}f}'
+    return low if low == high else f'{low} - {high}'

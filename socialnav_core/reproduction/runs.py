@@ -1,0 +1,129 @@
+"""A training run of one row and seed: its folder, its command and whether it is finished."""
+
+import csv
+import os
+from pathlib import Path
+import platform
+import shutil
+from typing import Any
+
+import torch
+import yaml
+
+from socialnav_core.config import ConfigError
+from socialnav_core.policies.checkpoint import atomic_write, load_checkpoint, WEIGHTS
+from socialnav_core.reproduction.rows import Row
+from socialnav_core.settings import flatten, to_mapping
+from socialnav_core.training.checkpoint import STATE_NAME
+from socialnav_core.training.model_card import CARD_NAME
+from socialnav_core.training.progress import CSV_NAME
+
+MACHINE = 'machine.yaml'
+MACHINE_SETTINGS = ('training.bfloat16', 'training.device')
+"""Settings that depend on where a run was trained."""
+
+
+def is_finished(folder: Path) -> bool:
+    """
+    Return whether a run is trained.
+
+    :param folder: of the run.
+    """
+    complete = all((folder / name).is_file() for name in (WEIGHTS, CARD_NAME))
+    return complete and not (folder / STATE_NAME).exists()
+
+
+def train_arguments(row: Row, seed: int, folder: Path, quick: bool, device: str) -> list[str]:
+    """
+    Return the arguments of socialnav that train a run or go on with it.
+
+    :param row: what is trained.
+    :param seed: of the run.
+    :param folder: of the run; what is left in it of a run that saved nothing is removed.
+    :param quick: whether to train for seconds only.
+    :param device: cpu or cuda.
+    """
+    resumable = (folder / STATE_NAME).is_file()
+    if not resumable:
+        shutil.rmtree(folder, ignore_errors=True)
+    return [
+        'train', row.config, '--seed', str(seed), '--out', str(folder),
+        *(['--resume'] if resumable else []), *device_option(device),
+        '--set', *assignment_texts(row.assignments(quick)),
+    ]  # fmt: skip
+
+
+def device_option(device: str) -> list[str]:
+    """
+    Return the option of socialnav that chooses a device.
+
+    :param device: cpu, which is what happens without the option, or cuda.
+    """
+    return [] if device == 'cpu' else ['--device', device]
+
+
+def assignment_texts(assignments: dict[str, Any]) -> list[str]:
+    """
+    Return settings as they are typed after `--set`.
+
+    :param assignments: dotted names and values.
+    """
+    return [
+        f'{key}={yaml.safe_dump(value, default_flow_style=True).split(chr(10))[0]}'
+        for key, value in assignments.items()
+    ]
+
+
+def require_same_settings(row: Row, seed: int, folder: Path, quick: bool) -> None:
+    """
+    Raise a ConfigError when a finished run has other settings than the row has now.
+
+    :param row: what should have been trained.
+    :param seed: of the run.
+    :param folder: of the run.
+    :param quick: whether it was trained for seconds only.
+    """
+    found = flatten(to_mapping(load_checkpoint(folder)[1]))
+    for name, value in flatten(to_mapping(row.resolved(seed, quick))).items():
+        if name not in MACHINE_SETTINGS and found.get(name) != value:
+            raise ConfigError(
+                f'{folder} was trained with {name} = {found.get(name)!r}, not {value!r}; move it '
+                'away and it is trained again'
+            )
+
+
+def note_machine(folder: Path, device: str, jobs: int) -> None:
+    """
+    Write beside a run where it was trained.
+
+    :param folder: of the run.
+    :param device: cpu or cuda.
+    :param jobs: processes side by side.
+    """
+    name = torch.cuda.get_device_name() if device == 'cuda' else platform.machine()
+    values = {
+        'device': device, 'name': name, 'jobs': jobs, 'processors': os.cpu_count(),
+        'python': platform.python_version(), 'torch': str(torch.__version__),
+    }  # fmt: skip
+    atomic_write(folder / MACHINE, yaml.safe_dump(values, sort_keys=False).encode())
+
+
+def machine_of(folder: Path) -> dict[str, Any]:
+    """
+    Return where a run was trained, empty where that was not noted.
+
+    :param folder: of the run.
+    """
+    path = folder / MACHINE
+    return yaml.safe_load(path.read_text(encoding='utf-8')) if path.is_file() else {}
+
+
+def last_progress(folder: Path) -> dict[str, float]:
+    """
+    Return the last row of a run's progress.
+
+    :param folder: of a finished run.
+    """
+    with (folder / CSV_NAME).open(newline='', encoding='utf-8') as file:
+        rows = list(csv.DictReader(file))
+    return {name: float(value) for name, value in rows[-1].items()}
