@@ -44,7 +44,9 @@ def save_weights(folder: Path, network: nn.Module, config: Config) -> None:
     """
     folder.mkdir(parents=True, exist_ok=True)
     text = to_yaml(config).encode()
-    tensors = {name: value.detach().contiguous() for name, value in network.state_dict().items()}
+    tensors = {
+        name: value.detach().cpu().contiguous() for name, value in network.state_dict().items()
+    }
     metadata = {
         'digest': tensors_digest(tensors),
         'config_digest': hashlib.sha256(text).hexdigest(),

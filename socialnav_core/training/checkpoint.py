@@ -123,7 +123,7 @@ def network_arrays(network: torch.nn.Module) -> Arrays:
 
     :param network: any module.
     """
-    return {name: tensor.numpy() for name, tensor in network.state_dict().items()}
+    return {name: tensor.cpu().numpy() for name, tensor in network.state_dict().items()}
 
 
 def restore_network(network: torch.nn.Module, arrays: Arrays) -> None:
@@ -143,7 +143,7 @@ def optimizer_arrays(optimizer: torch.optim.Optimizer) -> Arrays:
     :param optimizer: before its first step it keeps none.
     """
     return {
-        f'{index}/{name}': tensor.numpy()
+        f'{index}/{name}': tensor.cpu().numpy()
         for index, moments in optimizer.state_dict()['state'].items()
         for name, tensor in moments.items()
     }

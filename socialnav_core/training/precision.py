@@ -4,7 +4,7 @@ import dataclasses
 
 import torch
 
-from socialnav_core.config import Config
+from socialnav_core.config import Config, require
 
 
 def bfloat16_available() -> bool:
@@ -18,8 +18,14 @@ def with_available_precision(config: Config) -> Config:
     Return the configuration with the precision that is really used on this machine.
 
     :param config: training.bfloat16 is what was wished.
+    :raises ConfigError: when training.device is not there.
     """
-    used = config.training.bfloat16 and bfloat16_available()
+    on_gpu = config.training.device == 'cuda'
+    require(
+        not on_gpu or torch.cuda.is_available(),
+        'training.device: cuda needs a CUDA GPU and a CUDA build of torch; use cpu',
+    )
+    used = config.training.bfloat16 and (on_gpu or bfloat16_available())
     return dataclasses.replace(
         config, training=dataclasses.replace(config.training, bfloat16=used)
     )

@@ -3,6 +3,8 @@
 import torch
 from torch import nn
 
+from socialnav_core.policies.inference import device_of
+
 
 def regress(
     network: nn.Module,
@@ -23,10 +25,11 @@ def regress(
     :param bfloat16: whether products are computed in bfloat16.
     :raises FloatingPointError: when the error is not a number.
     """
-    robot, others, mask, target = batch
+    device = device_of(network)
+    robot, others, mask, target = (tensor.to(device) for tensor in batch)
     for group in optimizer.param_groups:
         group['lr'] = learning_rate
-    with torch.autocast('cpu', torch.bfloat16, enabled=bfloat16):
+    with torch.autocast(device.type, torch.bfloat16, enabled=bfloat16):
         value = network(robot, others, mask)
     loss = nn.functional.mse_loss(value.float(), target)
     optimizer.zero_grad()
