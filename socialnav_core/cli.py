@@ -65,7 +65,7 @@ def expected_failures() -> tuple[type[Exception], ...]:
     from socialnav_core.reproduction.jobs import JobError
     from socialnav_core.training import TrainingInterrupted
 
-    return (CheckpointError, JobError, PackingError, TrainingInterrupted, OSError)
+    return (CheckpointError, JobError, TrainingInterrupted, OSError)
 
 
 def complain(given: argparse.Namespace, error: object, code: int) -> int:

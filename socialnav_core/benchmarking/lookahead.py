@@ -1,63 +1,87 @@
 """How long one decision takes."""
 
-import dataclasses
+import time
 from typing import Any
 
 import numpy as np
 import torch
+from torch import nn
 
-from socialnav_core.benchmarking.measurement import call_times, in_turns, Measurement
-from socialnav_core.config import PolicyConfig
+from socialnav_core.benchmarking.measurement import in_turns, Measurement
+from socialnav_core.config import PolicyConfig, Scenario
 from socialnav_core.policies import build_network, ValuePolicy
-from socialnav_core.simulation import make_scenario, Simulator
+from socialnav_core.simulation import Simulator
 
-REPEATS = 300
-ROUNDS = 3
-NETWORKS = {'sarl': 'SARL', 'gat4sn': 'GAT4SN, 4 heads'}
-SETTINGS = {
-    '17 actions, 10 agents': ('simple', 2, 8),
-    '81 actions, 20 agents': ('crowd20', 5, 16),
-}
-"""Scenario, speeds and headings of each setting."""
+REPEATS, REFERENCE_REPEATS, WARM_UP = 200, 5, 20
+ROUNDS = 7
+NETWORKS = {'sarl': 'SARL', 'gat4sn': 'GAT4SN (4 heads)'}
+SETTINGS = ((10, 2, 8), (20, 5, 16))
+"""Pedestrians, speeds and headings."""
 
 
 def lookahead_measurements(reference: Any) -> list[Measurement]:
     """
-    Return milliseconds per decision for a single robot, screening off.
+    Return milliseconds per decision of a single robot, screening off.
 
     :param reference: the plain reference, or None.
     """
-    return [decision(network, setting, reference) for setting in SETTINGS for network in NETWORKS]
+    return [decision(network, *setting, reference) for setting in SETTINGS for network in NETWORKS]
 
 
-def decision(network: str, setting: str, reference: Any) -> Measurement:
+def decision(
+    name: str, pedestrians: int, speeds: int, headings: int, reference: Any
+) -> Measurement:
     """
     Return how long a decision takes, its median and its 99th percentile.
 
-    :param network: key of NETWORKS.
-    :param setting: key of SETTINGS.
+    :param name: key of NETWORKS.
+    :param pedestrians: number of people around the robot.
+    :param speeds: of the action set.
+    :param headings: of the action set.
     :param reference: the plain reference, or None.
     """
-    scenario, speeds, headings = SETTINGS[setting]
-    config = PolicyConfig(network=network, speeds=speeds, headings=headings)
-    simulator = Simulator(make_scenario(scenario))
-    state = simulator.reset()
+    config = PolicyConfig(network=name, speeds=speeds, headings=headings)
     torch.manual_seed(0)
-    policy = ValuePolicy(build_network(config), config)
+    network = build_network(config).eval()
     times: list[np.ndarray] = []
 
     def rate() -> float:
-        times.append(call_times(lambda: policy.act(state), REPEATS))
+        times.append(decision_seconds(network, config, pedestrians))
         return 1 / float(np.median(times[-1]))
 
     def plain_rate() -> float:
-        return 1 / float(np.median(reference.decision_times(network, config, state)))
+        actions = reference.action_set(speeds, headings)
+        seconds = reference.reference_decision_seconds(
+            network, actions, pedestrians, REFERENCE_REPEATS
+        )
+        return 1 / float(np.median(seconds))
 
     value, plain, ratio = in_turns(rate, plain_rate if reference else None, ROUNDS)
-    p99 = 1000 * float(np.quantile(np.concatenate(times), 0.99))
-    return dataclasses.replace(
-        Measurement(f'decision, {NETWORKS[network]}, {setting}', 1000 / value, 'ms'),
+    actions = speeds * headings + 1
+    return Measurement(
+        f'decision of {NETWORKS[name]}, {actions} actions, {pedestrians} agents',
+        1000 / value,
+        'ms',
         reference=1000 / plain if plain else None,
         ratio=ratio,
-        details={'p99_milliseconds': p99},
+        details={'p99_milliseconds': 1000 * float(np.quantile(np.concatenate(times), 0.99))},
     )
+
+
+def decision_seconds(network: nn.Module, config: PolicyConfig, pedestrians: int) -> np.ndarray:
+    """
+    Return how long each of some decisions took, one episode after the other, s, (REPEATS,).
+
+    :param network: a value network.
+    :param config: its action set.
+    :param pedestrians: number of people around the robot.
+    """
+    simulator = Simulator(Scenario('benchmark', pedestrians=pedestrians, obstacles=0))
+    policy, state = ValuePolicy(network, config), simulator.reset()
+    seconds = np.empty(WARM_UP + REPEATS)
+    for i in range(len(seconds)):
+        started = time.perf_counter()
+        command = policy.act(state)
+        seconds[i] = time.perf_counter() - started
+        state = simulator.step(command)[0]
+    return seconds[WARM_UP:]

@@ -41,23 +41,6 @@ def calls_per_second(function: Callable[[], object], seconds: float) -> float:
     return calls / elapsed
 
 
-def call_times(function: Callable[[], object], repeats: int) -> np.ndarray:
-    """
-    Return how long each call of a function took, s, (repeats,), after a tenth of it to warm up.
-
-    :param function: without arguments.
-    :param repeats: number of calls.
-    """
-    for _ in range(max(1, repeats // 10)):
-        function()
-    times = np.empty(repeats)
-    for call in range(repeats):
-        started = time.perf_counter()
-        function()
-        times[call] = time.perf_counter() - started
-    return times
-
-
 def in_turns(
     ours: Callable[[], float], reference: Callable[[], float] | None, rounds: int
 ) -> tuple[float, float | None, float | None]:

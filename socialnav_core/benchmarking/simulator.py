@@ -9,8 +9,8 @@ from socialnav_core.policies import StraightLinePolicy
 from socialnav_core.simulation import make_scenario, Simulator
 
 WORLDS = 128
-ROUNDS = 3
-SECONDS = 1.0
+ROUNDS = 9
+SECONDS = 0.35
 
 SCENARIOS = {
     'simple': '5 pedestrians + 5 obstacles',
@@ -42,7 +42,9 @@ def in_batches(name: str, meaning: str, reference: Any) -> Measurement:
     scenario = make_scenario(name)
 
     def plain_rate() -> float:
-        return reference.simulator_rate(scenario, SECONDS)
+        return reference.reference_steps_per_second(
+            scenario.pedestrians, scenario.obstacles, SECONDS
+        )
 
     value, plain, ratio = in_turns(
         lambda: WORLDS * steps_per_second(scenario, WORLDS),

@@ -16,7 +16,7 @@ from PIL import Image
 
 from socialnav_core.config import ConfigError
 from socialnav_core.evaluation import scene
-from socialnav_core.evaluation.recording import Recording, clearance, state_at
+from socialnav_core.evaluation.recording import clearance, Recording, state_at
 from socialnav_core.states import CrowdState
 
 FRAME_RATE = 12.5

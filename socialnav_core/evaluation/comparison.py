@@ -11,9 +11,9 @@ from socialnav_core.config import ConfigError
 from socialnav_core.evaluation.evaluate import EvaluationResult
 from socialnav_core.evaluation.statistics import (
     Estimate,
-    McNemarResult,
     holm,
     mcnemar,
+    McNemarResult,
     paired_mean_difference,
 )
 

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from socialnav_core.config import Scenario, require
+from socialnav_core.config import require, Scenario
 from socialnav_core.evaluation.metrics import (
-    INTRUSION_DISTANCE,
-    EpisodeRecords,
     case_mappings,
     empty_records,
+    EpisodeRecords,
+    INTRUSION_DISTANCE,
     summarise,
 )
 from socialnav_core.evaluation.recording import attach_oracle, require_same_kinematics

@@ -8,7 +8,7 @@ import pytest
 from socialnav_core.config import ConfigError
 from socialnav_core.evaluation import evaluate
 from socialnav_core.policies import OrcaPolicy, StraightLinePolicy
-from socialnav_core.simulation import Simulator, make_scenario
+from socialnav_core.simulation import make_scenario, Simulator
 
 HARD = make_scenario('hard')
 

@@ -6,7 +6,7 @@ import pytest
 from socialnav_core.evaluation import evaluate, record
 from socialnav_core.evaluation.recording import clearance, state_at
 from socialnav_core.policies import OrcaPolicy
-from socialnav_core.simulation import Outcome, make_scenario
+from socialnav_core.simulation import make_scenario, Outcome
 
 HARD = make_scenario('hard')
 
