@@ -1,5 +1,6 @@
 """Trajectories as a picture: where the robot and the people around it went, and when."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ CROWD = 8
 
 _MARK_INTERVALS = (1.0, 2.0, 4.0, 5.0, 10.0)
 _HALO = [effects.withStroke(linewidth=2.2, foreground=scene.FLOOR)]
+_ATTENTION: dict[str, Any] = {'color': scene.ATTENTION, 'zorder': 7}
 
 
 def plot_recording(recording: Recording, path: Path) -> None:
@@ -31,12 +33,16 @@ def plot_recording(recording: Recording, path: Path) -> None:
     plot_recordings([recording], path)
 
 
-def plot_recordings(recordings: list[Recording], path: Path) -> None:
+def plot_recordings(
+    recordings: list[Recording], path: Path, attention_at: Sequence[int] | None = None
+) -> None:
     """
     Write the trajectories of some episodes side by side.
 
     :param recordings: at least one.
     :param path: file to write; its suffix gives the format.
+    :param attention_at: for each recording the index of the state whose attention is drawn; None
+        for no attention.
     """
     columns = len(recordings)
     figure = Figure(figsize=(scene.WIDTH * columns, scene.HEIGHT), dpi=160, facecolor=scene.FLOOR)
@@ -44,6 +50,8 @@ def plot_recordings(recordings: list[Recording], path: Path) -> None:
     for column, recording in enumerate(recordings):
         axes = scene.world_axes(figure, recording, column, columns)
         draw_trajectories(axes, recording)
+        if attention_at is not None:
+            draw_attention(axes, recording, attention_at[column])
         scene.Header(axes, recording).summarise()
     figure.savefig(path)
 
@@ -72,6 +80,36 @@ def draw_trajectories(axes: Axes, recording: Recording) -> None:
     _draw_discs(axes, path[marks], start.robot_radius[0], scene.ROBOT, 0.3, 1.0)
     _label(axes, path[marks], recording.times[marks], 8.5, scene.ROBOT_EDGE)
     axes.add_patch(scene.crash_ring(recording))
+
+
+def draw_attention(axes: Axes, recording: Recording, index: int) -> None:
+    """
+    Draw how much the policy looks at each agent: a line from the robot, and per cent.
+
+    :param axes: of world_axes.
+    :param recording: the episode, of a policy that has attention.
+    :param index: of a state but the last.
+    """
+    assert recording.attention is not None
+    state, weights = recording.states[index], recording.attention[index]
+    robot = state.robot_position[0]
+    axes.add_patch(
+        Circle(tuple(robot), float(state.robot_radius[0]), **_ATTENTION, fill=False, linewidth=2.2)
+    )
+    for agent in np.flatnonzero(state.valid[0]):
+        centre, share = state.position[0, agent], float(weights[agent])
+        axes.plot(*np.stack([robot, centre], axis=1), **_ATTENTION, linewidth=12 * share,
+                  alpha=0.5, solid_capstyle='round')  # fmt: skip
+        axes.add_patch(
+            Circle(tuple(centre), float(state.radius[0, agent]), **_ATTENTION, fill=False,
+                   linewidth=1.4)
+        )  # fmt: skip
+        style: dict[str, Any] = {'ha': 'center', 'va': 'center', 'path_effects': _HALO}
+        axes.text(centre[0], centre[1], f'{share:.0%}', color=scene.ATTENTION, fontsize=10,
+                  weight='bold', zorder=10, **style)  # fmt: skip
+    axes.text(0.985, 0.02, f'attention at {recording.times[index]:.3g} s', fontsize=10,
+              color=scene.ATTENTION, ha='right', transform=axes.transAxes, zorder=10,
+              path_effects=_HALO)  # fmt: skip
 
 
 def time_marks(times: np.ndarray) -> np.ndarray:

@@ -9,12 +9,13 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Rectangle
 import numpy as np
 
-from socialnav_core.evaluation.recording import OUTCOMES, Recording, figures
+from socialnav_core.evaluation.recording import figures, OUTCOMES, Recording
 
 ROBOT = '#f28e1c'
 ROBOT_EDGE = '#7a3e00'
 GOAL = '#d7263d'
 ALARM = '#e03131'
+ATTENTION = '#9c1fb0'
 OBSTACLE = '#b3b9c0'
 OBSTACLE_EDGE = '#858d95'
 WALL = '#4a5058'

@@ -11,6 +11,7 @@ COLUMNS, LINES, FREEZING, ATTENTION = 'columns', 'lines', 'freezing', 'attention
 
 HEADS = ('gat4sn_1', 'gat4sn_2', 'gat4sn_3', 'gat4sn')
 SCORES = ('gat4sn', 'gat4sn_linear', 'gat4sn_v2')
+LARGE_OBSTACLES = ('hard', 'packed-2.5')
 
 
 @dataclasses.dataclass(frozen=True)
@@ -20,6 +21,20 @@ class Entry:
     row: Row
     seeds: int
     """How many training seeds it has: 0 to seeds - 1."""
+    tests: tuple[str, ...] = ()
+    """Scenarios in which it is tested, where they are not those of the row."""
+
+    def cases(self, laboratory: Laboratory) -> tuple[Cases, ...]:
+        """
+        Return the cases that the row is tested in.
+
+        :param laboratory: says how many cases there are.
+        """
+        return tuple(
+            Cases(scenario, lookahead, episodes=laboratory.episodes)
+            for scenario in self.tests or self.row.tests
+            for lookahead in LOOKAHEADS
+        )
 
     def requests(self, laboratory: Laboratory) -> Iterator[Request]:
         """
@@ -28,7 +43,7 @@ class Entry:
         :param laboratory: says how many cases there are.
         """
         for seed in range(self.seeds):
-            yield Request(self.row, seed, test_cases(self.row, laboratory.episodes))
+            yield Request(self.row, seed, self.cases(laboratory))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -69,28 +84,15 @@ class Experiment:
         return [request for entry in self.entries for request in entry.requests(laboratory)]
 
 
-def test_cases(row: Row, episodes: int) -> tuple[Cases, ...]:
+def entries(seeds: int, *names: str, tests: tuple[str, ...] = ()) -> tuple[Entry, ...]:
     """
-    Return the cases that a row is tested in.
-
-    :param row: any.
-    :param episodes: number of cases of each scenario.
-    """
-    return tuple(
-        Cases(scenario, lookahead, episodes=episodes)
-        for scenario in row.tests
-        for lookahead in LOOKAHEADS
-    )
-
-
-def entries(seeds: int, *names: str) -> tuple[Entry, ...]:
-    """
-    Return rows of a table.
+    Return rows of a table or figure.
 
     :param seeds: training seeds of each.
     :param names: of the rows.
+    :param tests: scenarios in which they are tested, where they are not those of the rows.
     """
-    return tuple(Entry(ROWS[name], seeds) for name in names)
+    return tuple(Entry(ROWS[name], seeds, tests) for name in names)
 
 
 RECIPE = (
@@ -204,16 +206,16 @@ FIGURE1 = Experiment(
     'Figure 1: the freezing robot',
     'SARL, trained among small obstacles (`simple`), stands still near a large obstacle until '
     'its time is up.',
-    entries(3, 'sarl'),
+    entries(3, 'sarl', tests=LARGE_OBSTACLES),
     FREEZING,
 )
 
 FIGURE4 = Experiment(
     'figure4',
     'Figure 4: GAT4SN and SARL in the same case',
-    'A case of `hard` in which GAT4SN with 4 heads reaches the goal and SARL, trained with the '
-    'same seed, stands still until its time is up.',
-    entries(3, 'gat4sn', 'sarl'),
+    'A case in which GAT4SN with 4 heads reaches the goal and SARL, trained with the same '
+    'seed, stands still until its time is up.',
+    entries(3, 'gat4sn', 'sarl', tests=LARGE_OBSTACLES),
     ATTENTION,
 )
 

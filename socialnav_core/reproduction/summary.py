@@ -10,7 +10,7 @@ from socialnav_core.evaluation.statistics import (
     seeds_and_cases_bootstrap,
     wilson_interval,
 )
-from socialnav_core.reproduction.experiments import Entry, test_cases
+from socialnav_core.reproduction.experiments import Entry
 from socialnav_core.reproduction.laboratory import Laboratory
 from socialnav_core.reproduction.measurements import Cases, Measurement
 from socialnav_core.reproduction.rows import Row
@@ -87,10 +87,7 @@ def summarise(entry: Entry, laboratory: Laboratory) -> list[Summary]:
     :param laboratory: that measured them.
     """
     seeds = tuple(range(entry.seeds))
-    return [
-        summary_of(entry.row, cases, seeds, laboratory)
-        for cases in test_cases(entry.row, laboratory.episodes)
-    ]
+    return [summary_of(entry.row, cases, seeds, laboratory) for cases in entry.cases(laboratory)]
 
 
 def summary_of(row: Row, cases: Cases, seeds: tuple[int, ...], laboratory: Laboratory) -> Summary:
