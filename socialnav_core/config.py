@@ -7,6 +7,7 @@ from socialnav_core.settings import ConfigError, require, require_choice
 
 KINEMATICS = ('holonomic', 'differential')
 NETWORKS = ('sarl', 'gat4sn', 'gat4sn_linear', 'gat4sn_v2')
+DEVICES = ('cpu', 'cuda')
 LOOKAHEADS = ('constant_velocity', 'oracle')
 POSITIVE_SCENARIO_FIELDS = (
     'spawn_half_width', 'circle_radius', 'minimum_travel', 'bounds', 'pedestrian_radius',
@@ -254,8 +255,12 @@ class TrainingConfig:
     """Share of the run over which epsilon falls linearly."""
     lookahead: str = 'oracle'
     """Prediction of the pedestrians while training: oracle or constant_velocity."""
+    device: str = 'cpu'
+    """Where the network is computed: cpu or cuda; another device gives other weights."""
     bfloat16: bool = True
     """Whether products are computed in bfloat16 where the processor has it; weights stay float32."""
+    fold_constant_features: bool = True
+    """Whether the saved network ignores features that never varied in training."""
     checkpoint_iterations: int = 10
     """Iterations between two saved states."""
     imitation: ImitationConfig = ImitationConfig()
@@ -266,6 +271,7 @@ class TrainingConfig:
     def __post_init__(self) -> None:
         """Refuse values with which nothing can be learned."""
         require_choice('training.lookahead', self.lookahead, LOOKAHEADS)
+        require_choice('training.device', self.device, DEVICES)
         for name in POSITIVE_TRAINING_FIELDS:
             require(getattr(self, name) > 0, f'training.{name} must be positive')
         require(0 <= self.trace_decay <= 1, 'training.trace_decay must lie in [0, 1]')

@@ -15,6 +15,8 @@ CARD_NAME = 'README.md'
 NETWORKS = {
     'sarl': 'SARL (Chen et al. 2019, Crowd-Robot Interaction)',
     'gat4sn': 'GAT4SN (graph attention for social navigation)',
+    'gat4sn_linear': 'GAT4SN without the LeakyReLU in its attention',
+    'gat4sn_v2': 'GAT4SN with the attention of GATv2 (Brody et al. 2022)',
 }
 
 
@@ -92,7 +94,7 @@ def description(config: Config, parameters: int, digest: str) -> str:
     :param digest: of the weights.
     """
     policy = config.policy
-    heads = f' with {policy.heads} heads' if policy.network == 'gat4sn' else ''
+    heads = f' with {policy.heads} heads' if policy.network.startswith('gat4sn') else ''
     turns = 'headings' if policy.kinematics == 'holonomic' else 'turn rates'
     return (
         f'Value network {NETWORKS[policy.network]}{heads}, {parameters:,} parameters. Each '

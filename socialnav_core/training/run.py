@@ -1,5 +1,6 @@
 """All that changes while a run goes on, and how it is stored."""
 
+import copy
 import dataclasses
 
 import numpy as np
@@ -15,6 +16,7 @@ from socialnav_core.training.checkpoint import (
     restore_network,
     restore_optimizer,
 )
+from socialnav_core.training.constant_features import without_constant_features
 from socialnav_core.training.curriculum import Curriculum
 from socialnav_core.training.episodes import EpisodeWindow
 from socialnav_core.training.randomness import initial_network
@@ -35,7 +37,7 @@ class Run:
         """
         settings = config.training
         self.config = config
-        self.network = initial_network(config.policy, config.seed)
+        self.network = initial_network(config.policy, config.seed).to(settings.device)
         self.optimizer = torch.optim.Adam(
             self.network.parameters(), lr=settings.learning_rate, fused=True
         )
@@ -58,6 +60,12 @@ class Run:
     def obstacle_radius(self) -> float:
         """Return the largest obstacle radius of the episodes that begin now, m."""
         return self.simulator.scenario.obstacle_radius_max
+
+    def finished_network(self) -> torch.nn.Module:
+        """Return a copy of the network, on the CPU, as it is to be used."""
+        if self.config.training.fold_constant_features and self.buffer.size:
+            return without_constant_features(self.network, self.buffer)
+        return copy.deepcopy(self.network).cpu()
 
     def record(self, rollout: Rollout) -> None:
         """

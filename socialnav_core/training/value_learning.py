@@ -74,7 +74,9 @@ def train(
         if interruption.requested:
             raise TrainingInterrupted(how_to_resume(run, out))
     if evaluate is not None:
-        add_result(out, evaluate(ValuePolicy(run.network, config.policy), config.scenario))
+        add_result(
+            out, evaluate(ValuePolicy(run.finished_network(), config.policy), config.scenario)
+        )
     write_model_card(out)
     finish_folder(out)
 
@@ -165,7 +167,7 @@ def save(run: Run, out: Path) -> None:
     :param run: between two iterations.
     :param out: folder of the run.
     """
-    save_weights(out, run.network, run.config)
+    save_weights(out, run.finished_network(), run.config)
     save_state(out, run.sections(), run.config)
 
 
