@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 import shutil
 import subprocess
+from typing import Any
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import EllipseCollection, LineCollection
@@ -31,7 +32,7 @@ DISCOMFORT = 0.2
 """Clearance that is shown in red below, m."""
 _SHADES = 6
 _TRAIL_PIECES = 8
-_STANDING = 0.05  # m/s, below which no arrow is drawn
+_STANDING = 0.15  # m/s, below which no arrow is drawn
 _DOTS_PER_INCH = 90
 
 
@@ -148,6 +149,7 @@ class Stage:
             offset_transform=axes.transData, zorder=5,
         )  # fmt: skip
         self.trails = LineCollection([], linewidths=2.2, zorder=3.5)
+        self.gaze = LineCollection([], zorder=3.2)
         self.path = LineCollection([], linewidths=2.6, colors=scene.ROBOT, zorder=4)
         everybody = np.zeros((len(self.people) + 1, 2))
         self.arrows = Quiver(
@@ -163,6 +165,7 @@ class Stage:
         self.ring = scene.crash_ring(recording)
         self.header = scene.Header(axes, recording)
         self.moving = [
+            axes.add_collection(self.gaze, autolim=False),
             axes.add_collection(self.trails, autolim=False),
             axes.add_collection(self.path, autolim=False),
             axes.add_collection(self.discs, autolim=False),
@@ -175,6 +178,9 @@ class Stage:
         ]
         for artist in self.moving:
             artist.set_animated(True)
+        if recording.attention is not None:
+            style: dict[str, Any] = {'fontsize': 8, 'color': scene.ATTENTION, 'ha': 'right'}
+            axes.text(0.975, 0.035, 'attention', transform=axes.transAxes, **style)
 
     def show(self, time: float) -> None:
         """
@@ -188,6 +194,7 @@ class Stage:
         self._place_robot(state)
         self._draw_trails(time)
         self._draw_arrows(state)
+        self._draw_gaze(state, time)
         self._write_header(state, ended)
         for artist in self.moving:
             if artist is not self.ring or ended:
@@ -222,6 +229,19 @@ class Stage:
         standing = np.linalg.norm(moves, axis=-1) < _STANDING
         self.arrows.set_offsets(tails)
         self.arrows.set_UVC(*np.ma.masked_array(moves.T, np.tile(standing, (2, 1))))
+
+    def _draw_gaze(self, state: CrowdState, time: float) -> None:
+        """Draw a line to each agent, the wider the more the policy looks at it."""
+        if self.recording.attention is None:
+            return
+        decision = int(np.searchsorted(self.recording.times, time, side='right')) - 1
+        weights = self.recording.attention[min(decision, len(self.recording.attention) - 1)]
+        seen = np.flatnonzero(state.valid[0])
+        robot = np.broadcast_to(state.robot_position, (len(seen), 2))
+        shares = weights[seen]
+        self.gaze.set_segments(list(np.stack([robot, state.position[0][seen]], axis=1)))
+        self.gaze.set_linewidth(list(1 + 7 * shares))
+        self.gaze.set_color([(*to_rgb(scene.ATTENTION), 0.1 + 0.4 * share) for share in shares])
 
     def _write_header(self, state: CrowdState, ended: bool) -> None:
         """Say what time it is and how near somebody is, in the end how it went."""

@@ -35,8 +35,8 @@ OUTCOME_COLOURS = {
 }
 
 PALETTE = (
-    ROBOT, ROBOT_EDGE, GOAL, ALARM, OBSTACLE, OBSTACLE_EDGE, WALL, INK, FAINT_INK, *PEOPLE,
-    *OUTCOME_COLOURS.values(),
+    ROBOT, ROBOT_EDGE, GOAL, ALARM, ATTENTION, OBSTACLE, OBSTACLE_EDGE, WALL, INK, FAINT_INK,
+    *PEOPLE, *OUTCOME_COLOURS.values(),
 )  # fmt: skip
 """All colours but the pale ones of the ground."""
 
