@@ -8,7 +8,7 @@ from socialnav_core.config import Scenario
 from socialnav_core.policies import StraightLinePolicy
 from socialnav_core.simulation import make_scenario, Simulator
 
-WORLDS = 128
+WORLDS = 512
 ROUNDS = 9
 SECONDS = 0.35
 
@@ -46,12 +46,13 @@ def in_batches(name: str, meaning: str, reference: Any) -> Measurement:
             scenario.pedestrians, scenario.obstacles, SECONDS
         )
 
+    details = {'worlds': WORLDS}
     value, plain, ratio = in_turns(
         lambda: WORLDS * steps_per_second(scenario, WORLDS),
         plain_rate if reference else None,
         ROUNDS,
     )
-    return Measurement(f'simulator, {meaning}', value, 'steps/s', plain, ratio)
+    return Measurement(f'simulator, {meaning}', value, 'steps/s', plain, ratio, details)
 
 
 def alone(pedestrians: int) -> Measurement:
