@@ -9,14 +9,17 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / 'socialnav_core'
+PARTS_BUILT_ON_THEM = ('simulation', 'policies', 'training', 'evaluation', 'reproduction')
 FORBIDDEN = {
-    'states.py': ('simulation', 'policies', 'training', 'evaluation'),
-    'config.py': ('simulation', 'policies', 'training', 'evaluation'),
-    'settings.py': ('simulation', 'policies', 'training', 'evaluation'),
-    'simulation': ('policies', 'training', 'evaluation', 'cli', 'commands'),
-    'policies': ('training', 'evaluation', 'cli', 'commands'),
-    'training': ('evaluation', 'cli', 'commands'),
-    'evaluation': ('training', 'cli', 'commands'),
+    'states.py': PARTS_BUILT_ON_THEM,
+    'config.py': PARTS_BUILT_ON_THEM,
+    'settings.py': PARTS_BUILT_ON_THEM,
+    'simulation': ('policies', 'training', 'evaluation', 'reproduction', 'cli', 'commands'),
+    'policies': ('training', 'evaluation', 'reproduction', 'cli', 'commands'),
+    'training': ('evaluation', 'reproduction', 'cli', 'commands'),
+    'evaluation': ('training', 'reproduction', 'cli', 'commands'),
+    'benchmarking': ('reproduction', 'cli', 'commands'),
+    'reproduction': ('cli', 'commands'),
 }
 """What a part must not import from socialnav_core."""
 

@@ -9,7 +9,6 @@ import numpy as np
 
 from socialnav_core.evaluation.metrics import COLLISIONS
 from socialnav_core.policies.checkpoint import atomic_write, checkpoint_digest
-from socialnav_core.reproduction.runs import device_option
 from socialnav_core.simulation import Outcome
 
 FOLDER = 'evaluations'
@@ -87,7 +86,8 @@ def evaluate_arguments(run: Path, cases: Cases, device: str) -> list[str]:
     return [
         'evaluate', str(run), '--scenario', cases.scenario, '--episodes', str(cases.episodes),
         '--seed', '0', '--split', cases.split, '--lookahead', cases.lookahead, '--no-screening',
-        '--json', str(raw_path(run, cases)), '--overwrite', *device_option(device),
+        '--json', str(raw_path(run, cases)), '--overwrite',
+        *([] if device == 'cpu' else ['--device', device]),
     ]  # fmt: skip
 
 

@@ -63,7 +63,21 @@ REPORTED_TESTS = ('simple', 'hard')
 IN_SIMPLE10 = {'scenario': 'simple10', 'training.iterations': 140}
 IN_PACKED = {'scenario': 'packed-2.5', 'policy.speeds': 2, 'policy.headings': 8}
 WITHOUT_CURRICULUM = {'training.curriculum.enabled': False}
-REPORTED_RECIPE: dict[str, Any] = {}
+REPORTED_RECIPE: dict[str, Any] = {
+    'training.optimizer': 'sgd',
+    'training.trace_decay': 0.0,
+    'training.imitation.episodes': 3000,
+    'training.imitation.epochs': 50,
+    'training.imitation.batch_size': 128,
+    'training.imitation.learning_rate': 0.01,
+    'training.imitation.final_learning_rate': 0.01,
+    'training.batch_size': 128,
+    'training.learning_rate': 0.001,
+    'training.final_learning_rate': 0.001,
+    'training.replay_capacity': 100000,
+    'training.epsilon_start': 0.5,
+    'training.epsilon_end': 0.1,
+}
 """Settings of the report's own recipe."""
 
 

@@ -46,20 +46,11 @@ def train_arguments(row: Row, seed: int, folder: Path, quick: bool, device: str)
     resumable = (folder / STATE_NAME).is_file()
     if not resumable:
         shutil.rmtree(folder, ignore_errors=True)
+    assignments = row.assignments(quick) | {'training.device': device}
     return [
         'train', row.config, '--seed', str(seed), '--out', str(folder),
-        *(['--resume'] if resumable else []), *device_option(device),
-        '--set', *assignment_texts(row.assignments(quick)),
+        *(['--resume'] if resumable else []), '--set', *assignment_texts(assignments),
     ]  # fmt: skip
-
-
-def device_option(device: str) -> list[str]:
-    """
-    Return the option of socialnav that chooses a device.
-
-    :param device: cpu, which is what happens without the option, or cuda.
-    """
-    return [] if device == 'cpu' else ['--device', device]
 
 
 def assignment_texts(assignments: dict[str, Any]) -> list[str]:

@@ -93,7 +93,7 @@ def summary_values(summary: Summary) -> dict[str, Any]:
         'report': dataclasses.asdict(theirs) if theirs else None,
         'means': {name: dataclasses.asdict(e) if e else None for name, e in estimates.items()},
         'seeds': [
-            {'seed': seed, 'success_interval': list(seed_interval(measurement)),
+            {'training_seed': seed, 'success_interval': list(seed_interval(measurement)),
              **measurement.summary}
             for seed, measurement in zip(summary.seeds, summary.measurements, strict=True)
         ],

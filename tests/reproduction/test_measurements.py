@@ -1,0 +1,87 @@
+"""Measurements belong to weights, and their figures to all seeds and cases."""
+
+import numpy as np
+import pytest
+
+from socialnav_core.reproduction import measurements
+from socialnav_core.reproduction.experiments import Entry
+from socialnav_core.reproduction.measurements import Cases
+from socialnav_core.reproduction.paired import paired_differences
+from socialnav_core.reproduction.rows import ROWS
+from socialnav_core.reproduction.summary import summary_of
+
+HARD = Cases('hard', 'constant_velocity')
+SARL, GAT4SN = ROWS['sarl'], ROWS['gat4sn']
+
+
+def test_a_measurement_is_kept_as_it_was_made(finished_run, measured):
+    folder = finished_run(SARL, 0)
+    measured(folder, HARD, ['goal', 'timeout', 'out_of_bounds', 'collision_obstacle'])
+    found = measurements.load(folder, HARD)
+    np.testing.assert_array_equal(found.success, [True, False, False, False])
+    np.testing.assert_array_equal(found.collision, [False, False, True, True])
+    np.testing.assert_array_equal(found.timeout, [False, True, False, False])
+    np.testing.assert_array_equal(found.navigation_time, [10, np.nan, np.nan, np.nan])
+
+
+def test_a_measurement_of_other_weights_does_not_count(finished_run, measured):
+    folder = finished_run(SARL, 0)
+    measured(folder, HARD, ['goal'])
+    finished_run(SARL, 0)  # fresh weights
+    assert measurements.load(folder, HARD) is None
+
+
+def test_other_cases_have_another_file(finished_run):
+    folder = finished_run(SARL, 0)
+    kinds = (HARD, Cases('hard', 'oracle'), Cases('hard', HARD.lookahead, 'validation'),
+             Cases('hard', HARD.lookahead, episodes=5000))  # fmt: skip
+    assert len({cases.path(folder) for cases in kinds}) == len(kinds)
+    assert HARD.path(folder).name == 'hard-constant_velocity.json'
+
+
+@pytest.fixture
+def two_rows(finished_run, measured, laboratory):
+    """Return the figures of SARL (2 seeds) and GAT4SN (3 seeds) in the same four cases."""
+    outcomes = [(SARL, ['gtgt', 'ggtt']), (GAT4SN, ['gggt', 'gggg', 'tttt'])]
+    letters = {'g': 'goal', 't': 'timeout'}
+    for row, seeds in outcomes:
+        for seed, text in enumerate(seeds):
+            folder = finished_run(row, seed)
+            measured(folder, HARD, [letters[letter] for letter in text], time=10.0 + len(seeds))
+    return [summary_of(row, HARD, tuple(range(len(seeds))), laboratory) for row, seeds in outcomes]
+
+
+def test_means_are_over_all_seeds_and_cases(two_rows):
+    sarl, gat4sn = two_rows
+    assert sarl.mean('success') == 0.5
+    assert gat4sn.mean('success') == pytest.approx(7 / 12)
+    assert gat4sn.mean('time') == 13.0
+    estimate = gat4sn.estimate('success')
+    assert 0 <= estimate.low < estimate.mean < estimate.high <= 1
+
+
+def test_pairs_are_compared_over_common_seeds_on_the_same_cases(two_rows):
+    (difference,) = paired_differences(two_rows, [('gat4sn', 'sarl')])
+    assert difference.success.mean == pytest.approx(7 / 8 - 1 / 2)
+    assert difference.pooled == (3, 0)
+    assert len(difference.tests) == len(difference.adjusted) == 2
+    assert difference.time.mean == pytest.approx(1.0)
+
+
+def test_adjusted_probabilities_are_never_smaller(two_rows):
+    (difference,) = paired_differences(two_rows, [('gat4sn', 'sarl')])
+    for test, adjusted in zip(difference.tests, difference.adjusted, strict=True):
+        assert adjusted >= test.p_value
+
+
+def test_a_row_without_successes_has_no_time(finished_run, measured, laboratory):
+    measured(finished_run(SARL, 0), HARD, ['timeout'] * 3)
+    summary = summary_of(SARL, HARD, (0,), laboratory)
+    assert summary.estimate('time') is None
+    assert summary.mean('success') == 0.0
+
+
+def test_an_entry_may_be_tested_elsewhere(laboratory):
+    entry = Entry(SARL, 1, ('packed-2.5',))
+    assert {cases.scenario for cases in entry.cases(laboratory)} == {'packed-2.5'}
+    assert {cases.scenario for cases in Entry(SARL, 1).cases(laboratory)} == set(SARL.tests)

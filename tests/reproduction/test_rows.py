@@ -1,0 +1,59 @@
+"""Rows are configurations that exist, and the networks of the report."""
+
+import pytest
+
+from socialnav_core.policies.checkpoint import build_network
+from socialnav_core.reproduction.experiments import EXPERIMENTS
+from socialnav_core.reproduction.report_figures import PARAMETERS, REPORT, SAME_SYSTEM
+from socialnav_core.reproduction.rows import QUICK, ROWS
+from socialnav_core.settings import flatten, to_mapping
+from socialnav_core.simulation import make_scenario
+
+
+@pytest.mark.parametrize('name', ROWS)
+def test_every_row_resolves_to_a_configuration_of_its_name(name):
+    config = ROWS[name].resolved(3, quick=False)
+    assert (config.name, config.seed) == (name, 3)
+    for test in ROWS[name].tests:
+        make_scenario(test)
+
+
+@pytest.mark.parametrize('name', PARAMETERS)
+def test_networks_have_as_many_parameters_as_in_the_report(name):
+    network = build_network(ROWS[name].resolved(0, quick=False).policy)
+    assert sum(parameter.numel() for parameter in network.parameters()) == PARAMETERS[name]
+
+
+@pytest.mark.parametrize('name', [name for name in ROWS if name.endswith('_report_recipe')])
+def test_the_reports_recipe_is_not_ours(name):
+    theirs = ROWS[name].resolved(0, quick=False).training
+    ours = ROWS[name.removesuffix('_report_recipe')].resolved(0, quick=False).training
+    assert theirs != ours
+    assert theirs.imitation.episodes == 3000
+
+
+def test_a_smoke_run_differs_by_the_quick_settings_alone():
+    full, quick = (flatten(to_mapping(ROWS['sarl'].resolved(0, q))) for q in (False, True))
+    assert {name for name in full if full[name] != quick[name]} == set(QUICK)
+
+
+def test_figures_of_the_report_belong_to_rows_and_their_tests():
+    for row, scenario in REPORT:
+        assert scenario in ROWS[row].tests
+    assert set(SAME_SYSTEM) <= set(ROWS)
+
+
+def test_compared_rows_belong_to_their_experiment():
+    for experiment in EXPERIMENTS.values():
+        names = {entry.row.name for entry in experiment.entries}
+        assert all(set(pair) <= names for pair in experiment.pairs), experiment.name
+
+
+def test_curriculum_rows_differ_by_the_curriculum_alone():
+    for world in ('', '_packed'):
+        with_, without = (
+            flatten(to_mapping(ROWS[f'sarl_{kind}{world}'].resolved(0, quick=False)))
+            for kind in ('curriculum', 'no_curriculum')
+        )
+        differing = {name for name in with_ if with_[name] != without[name]}
+        assert differing == {'name', 'training.curriculum.enabled'}
