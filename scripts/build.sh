@@ -3,7 +3,7 @@
 # Modules, launch files and models are linked, not copied: a change inside one needs no build, a new one does.
 set -eo pipefail
 source "$(dirname "$0")/route.bash"
-[ "$ROUTE" = ros ] || source "$ROOT/.venv/setup.bash"
+source "$ROOT/.venv/setup.bash"
 cd "$ROOT"
 exec 8<ros_ws && flock 8 # one build at a time
 

@@ -9,10 +9,9 @@ clean_environment() {
     local name folder path=''
     for name in PYTHONPATH PYTHONHOME AMENT_PREFIX_PATH CMAKE_PREFIX_PATH COLCON_PREFIX_PATH \
         RMW_IMPLEMENTATION ROS_DISTRO ROS_VERSION ROS_PYTHON_VERSION CONDA_PREFIX; do
-        case ${!name:-} in
-            '' | "$ROOT"/*) ;;
-            *) IGNORED="$IGNORED $name" ;;
-        esac
+        if [ -n "${!name:-}" ] && tr : '\n' <<<"${!name}" | grep -qvF "$ROOT/"; then # some entry is not ours
+            IGNORED="$IGNORED $name"
+        fi
     done
     if [ -n "${CONDA_PREFIX:-}" ]; then # its Python and its compiler do not fit the wheels
         while read -r -d : folder; do

@@ -86,6 +86,10 @@ say 'installing the other packages'
 files=(base dev colcon)
 [ "$ROUTE" = ros ] || files+=(ros-jazzy)
 pip $(printf -- '-r requirements/%s.txt ' "${files[@]}")
-[ "$ROUTE" = ros ] || .venv/bin/python ros_ws/wheels/install_setup_files.py .venv
+if [ "$ROUTE" = ros ]; then
+    printf 'export PATH="%s:$PATH"\n' "$ROOT/.venv/bin" | tee .venv/setup.{sh,bash,zsh} >/dev/null
+else
+    .venv/bin/python ros_ws/wheels/install_setup_files.py .venv
+fi
 pip --no-deps --no-build-isolation -e .
 touch "$stamp"
