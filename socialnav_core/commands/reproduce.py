@@ -74,7 +74,11 @@ def run(given: argparse.Namespace) -> None:
     names = NAMES if ALL in given.names else tuple(dict.fromkeys(given.names))
     experiments = [EXPERIMENTS[name].with_seeds(seeds) for name in names]
     requests = [request for each in experiments for request in each.requests(laboratory)]
-    laboratory.provide(requests, train=not given.no_train)
+    try:
+        laboratory.provide(requests, train=not given.no_train)
+    except KeyboardInterrupt:
+        say('what was begun is saved; the same command goes on with it')
+        raise
     for experiment in experiments:
         command = command_of(experiment.name, given)
         print(write_results(experiment, laboratory, results, command))
