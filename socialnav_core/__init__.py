@@ -1,0 +1,1 @@
+"""Robots that move among people: simulator, policies, training and evaluation, without ROS."""

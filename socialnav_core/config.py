@@ -3,7 +3,8 @@
 import dataclasses
 import math
 
-from socialnav_core.settings import ConfigError, require, require_choice
+from socialnav_core.settings import ConfigError as ConfigError
+from socialnav_core.settings import require, require_choice
 
 KINEMATICS = ('holonomic', 'differential')
 NETWORKS = ('sarl', 'gat4sn', 'gat4sn_linear', 'gat4sn_v2')
@@ -109,7 +110,9 @@ class Scenario:
 
     def __post_init__(self) -> None:
         """Refuse values that describe no world."""
-        require(self.pedestrians >= 0 and self.obstacles >= 0, 'scenario: negative count of agents')
+        require(
+            self.pedestrians >= 0 and self.obstacles >= 0, 'scenario: negative count of agents'
+        )
         require(
             0 < self.obstacle_radius_min <= self.obstacle_radius_max,
             f'scenario {self.name}: obstacle radii must satisfy 0 < obstacle_radius_min '
@@ -258,7 +261,7 @@ class TrainingConfig:
     device: str = 'cpu'
     """Where the network is computed: cpu or cuda; another device gives other weights."""
     bfloat16: bool = True
-    """Whether products are computed in bfloat16 where the processor has it; weights stay float32."""
+    """Whether products are in bfloat16 where the processor has it; weights stay float32."""
     fold_constant_features: bool = True
     """Whether the saved network ignores features that never varied in training."""
     checkpoint_iterations: int = 10

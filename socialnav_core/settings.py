@@ -1,10 +1,10 @@
-"""Settings from and to mappings and YAML; an unknown key is an error that names the nearest one."""
+"""Settings from and to mappings and YAML; an unknown key is an error that names the nearest."""
 
+from collections.abc import Iterable, Mapping
 import dataclasses
 import difflib
-import typing
-from collections.abc import Iterable, Mapping
 from pathlib import Path
+import typing
 from typing import Any, TypeVar
 
 import yaml
@@ -62,7 +62,9 @@ def from_mapping(kind: type[Settings], values: Mapping[str, Any], where: str = '
     for key in values:
         if key not in types:
             raise ConfigError(unknown_key(where, str(key), types))
-    converted = {key: convert(types[key], value, join(where, key)) for key, value in values.items()}
+    converted = {
+        key: convert(types[key], value, join(where, key)) for key, value in values.items()
+    }
     try:
         return kind(**converted)
     except TypeError as error:
@@ -170,7 +172,7 @@ def convert(kind: Any, value: Any, where: str) -> Any:
     :param where: dotted path of the field, for messages.
     :raises ConfigError: when the types do not fit.
     """
-    if dataclasses.is_dataclass(kind):
+    if isinstance(kind, type) and dataclasses.is_dataclass(kind):
         return value if isinstance(value, kind) else from_mapping(kind, value, where)
     if kind is float and isinstance(value, str):  # YAML 1.1 reads 1e-3 as text
         value = number_from_text(value)

@@ -83,6 +83,6 @@ class Observation:
     robot: np.ndarray
     """[goal distance, preferred speed, heading, radius, vx, vy], (..., 6)."""
     others: np.ndarray
-    """[px, py, vx, vy, radius, distance, radius + robot radius] of each agent, (..., agents, 7)."""
+    """[px, py, vx, vy, radius, distance, sum of radii] of each agent, (..., agents, 7)."""
     mask: np.ndarray
     """Whether an agent is real, bool, (..., agents)."""

@@ -1,7 +1,7 @@
 """Policies: baselines, value networks and the look-ahead that drives by them."""
 
-from socialnav_core.policies.base import Policy, load_policy
-from socialnav_core.policies.checkpoint import CheckpointError, build_network
+from socialnav_core.policies.base import load_policy, Policy
+from socialnav_core.policies.checkpoint import build_network, CheckpointError
 from socialnav_core.policies.gat4sn import Gat4snValueNetwork
 from socialnav_core.policies.lookahead import ValuePolicy
 from socialnav_core.policies.orca_policy import OrcaPolicy

@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from socialnav_core.config import ConfigError
-from socialnav_core.policies.checkpoint import WEIGHTS, CheckpointError, load_checkpoint
+from socialnav_core.policies.checkpoint import CheckpointError, load_checkpoint, WEIGHTS
 from socialnav_core.policies.lookahead import ValuePolicy
 from socialnav_core.policies.orca_policy import OrcaPolicy
 from socialnav_core.policies.straight_line import StraightLinePolicy
@@ -18,7 +18,7 @@ class Policy(Protocol):
     """Chooses a command for the robot of each world."""
 
     kinematics: str
-    """holonomic: commands are (vx, vy) in the world frame, m/s; differential: (speed, turn rate)."""
+    """holonomic: commands are (vx, vy) in the world frame; differential: (speed, turn rate)."""
 
     def act(self, state: CrowdState) -> np.ndarray:
         """

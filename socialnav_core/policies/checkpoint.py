@@ -4,7 +4,7 @@ import hashlib
 import os
 from pathlib import Path
 
-from safetensors import SafetensorError, safe_open
+from safetensors import safe_open, SafetensorError
 from safetensors.torch import save
 import torch
 from torch import nn
@@ -99,7 +99,9 @@ def read_config(path: Path, metadata: dict[str, str]) -> Config:
     except (OSError, ConfigError) as error:
         raise CheckpointError(f'{path} is not the config of a checkpoint: {error}') from error
     if metadata.get('config_digest') != hashlib.sha256(text).hexdigest():
-        raise CheckpointError(f'{path} is altered: it is not the one that the weights were saved with')
+        raise CheckpointError(
+            f'{path} is altered: it is not the one that the weights were saved with'
+        )
     return config
 
 
@@ -112,7 +114,8 @@ def read_tensors(path: Path) -> tuple[dict[str, torch.Tensor], dict[str, str]]:
     """
     try:
         with safe_open(path, framework='pt') as file:
-            tensors = {name: file.get_tensor(name) for name in file.keys()}
+            names = file.keys()  # the file itself cannot be iterated over
+            tensors = {name: file.get_tensor(name) for name in names}
             return tensors, file.metadata() or {}
     except (OSError, SafetensorError) as error:
         raise CheckpointError(f'{path} cannot be read as weights: {error}') from error

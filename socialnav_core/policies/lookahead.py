@@ -132,9 +132,7 @@ class ValuePolicy:
     def reset(self) -> None:
         """Do nothing: a decision depends on the present state alone."""
 
-    def _safe(
-        self, state: CrowdState, commands: np.ndarray, velocities: np.ndarray
-    ) -> np.ndarray:
+    def _safe(self, state: CrowdState, commands: np.ndarray, velocities: np.ndarray) -> np.ndarray:
         """Return which actions may be chosen, bool (batch, actions)."""
         return safe_actions(
             state, commands, velocities, self.kinematics, self.config.time_step,

@@ -1,8 +1,8 @@
-"""Screening of actions: after a safe one there still is a way out (cf. Fiorini and Shiller 1998)."""
+"""Screening of actions: after a safe one there is a way out (cf. Fiorini and Shiller 1998)."""
 
-from numba import njit
 import numpy as np
 
+from socialnav_core.compilation import compiled
 from socialnav_core.config import ScreeningConfig
 from socialnav_core.simulation.kinematics import move_robot
 from socialnav_core.simulation.rewards import swept_distance
@@ -107,11 +107,13 @@ def is_free(
     """
     free = np.empty(displacement.shape[:2], bool)
     limit = state.bounds - state.robot_radius
-    _check(start, displacement, position, agent_velocity * duration, gaps, state.valid, limit, free)
+    _check(
+        start, displacement, position, agent_velocity * duration, gaps, state.valid, limit, free
+    )
     return free
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _check(start, displacement, position, movement, gaps, valid, limit, free):  # type: ignore[no-untyped-def]
     """Fill the array of is_free."""
     for world in range(free.shape[0]):

@@ -4,7 +4,7 @@ from socialnav_core.simulation.observation import observe
 from socialnav_core.simulation.orca import orca_velocities
 from socialnav_core.simulation.rewards import Outcome
 from socialnav_core.simulation.sampling import PackingError
-from socialnav_core.simulation.scenarios import SCENARIOS, make_scenario, resolve_scenario
+from socialnav_core.simulation.scenarios import make_scenario, resolve_scenario, SCENARIOS
 from socialnav_core.simulation.simulator import Simulator
 
 __all__ = [

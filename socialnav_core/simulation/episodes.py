@@ -3,15 +3,15 @@
 from collections.abc import Sequence
 from typing import Any
 
-from numba import njit
 import numpy as np
 
+from socialnav_core.compilation import compiled
 from socialnav_core.config import Scenario
 from socialnav_core.simulation.random_streams import GOALS, LAYOUT, SPLITS, stream
 from socialnav_core.simulation.sampling import (
-    PackingError,
     layout_settings,
     packing_message,
+    PackingError,
     sample_layout,
 )
 from socialnav_core.states import CROWD_STATE_FIELDS, CrowdState
@@ -186,7 +186,7 @@ def empty_state(scenario: Scenario, batch_size: int) -> CrowdState:
     )
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def lay_out(  # type: ignore[no-untyped-def]
     worlds, cases, layout_stream, goal_stream, settings, robot_position, robot_goal, position,
     radius, speed, goal, goal_streams,

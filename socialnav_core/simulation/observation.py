@@ -2,9 +2,9 @@
 
 import math
 
-from numba import njit
 import numpy as np
 
+from socialnav_core.compilation import compiled
 from socialnav_core.states import CrowdState, Observation
 
 ROBOT_FEATURES = 6
@@ -67,7 +67,7 @@ def observe_candidates(
     return Observation(robot, others, state.valid)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _fill(  # type: ignore[no-untyped-def]
     robot_position, robot_velocity, robot_heading, has_heading, goal, preferred_speed,
     robot_radius, position, velocity, radius, valid, robot, others,

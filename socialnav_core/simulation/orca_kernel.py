@@ -15,6 +15,8 @@ from typing import NamedTuple
 from numba import njit
 import numpy as np
 
+from socialnav_core.compilation import compiled
+
 PARALLEL_TOLERANCE = 1e-5
 """Sine of the angle below which two boundary lines count as parallel (RVO_EPSILON of RVO2)."""
 SPARE_CANDIDATES = 16
@@ -22,7 +24,7 @@ SPARE_CANDIDATES = 16
 X, Y, VELOCITY_X, VELOCITY_Y, RADIUS, RESPONSIBILITY = range(6)
 """Rows of Workspace.crowd."""
 
-compiled = njit(nogil=True, error_model='numpy', forceinline=True)
+inlined = njit(nogil=True, error_model='numpy', forceinline=True)
 
 
 class Workspace(NamedTuple):
@@ -40,7 +42,7 @@ class Workspace(NamedTuple):
     inverse_step: float
 
 
-@compiled
+@inlined
 def _make_workspace(agents: int, limit: int, time_horizon: float, time_step: float) -> Workspace:
     """Return the work space for worlds of a number of agents and a limit of neighbours."""
     neighbors = max(0, min(limit, agents - 1))
@@ -54,7 +56,7 @@ def _make_workspace(agents: int, limit: int, time_horizon: float, time_step: flo
     )  # fmt: skip
 
 
-@compiled
+@inlined
 def _rank_candidates(space: Workspace, count: int) -> int:
     """Write the nearest of `count` candidates as neighbours, in order, and return their number."""
     # Counting comparisons, unlike insertion, never branches on a distance, which is faster here.
@@ -73,7 +75,7 @@ def _rank_candidates(space: Workspace, count: int) -> int:
     return min(count, space.neighbors.size)
 
 
-@compiled
+@inlined
 def _find_neighbors(space: Workspace, agents: int, agent: int, reach: float) -> int:
     """Write the agents with the nearest centres as neighbours, in order; return their number."""
     count, limit, x, y = 0, reach * reach, space.crowd[X, agent], space.crowd[Y, agent]
@@ -91,7 +93,7 @@ def _find_neighbors(space: Workspace, agents: int, agent: int, reach: float) -> 
     return _rank_candidates(space, count)
 
 
-@compiled
+@inlined
 def _write_lines(space: Workspace, agent: int, count: int) -> None:
     """
     Write the half-planes that `count` neighbours impose on an agent (eqs. 3 to 5).
@@ -129,13 +131,13 @@ def _write_lines(space: Workspace, agent: int, count: int) -> None:
         space.lines[row, 2], space.lines[row, 3] = normal_y, -normal_x
 
 
-@compiled
+@inlined
 def _excess(lines: np.ndarray, number: int, x: float, y: float) -> float:
     """Return by how much a velocity lies outside a half-plane, m/s; negative inside."""
     return lines[number, 2] * (lines[number, 1] - y) - lines[number, 3] * (lines[number, 0] - x)
 
 
-@compiled
+@inlined
 def _permitted_interval(
     lines: np.ndarray, number: int, max_speed: float
 ) -> tuple[bool, float, float]:
@@ -165,7 +167,7 @@ def _permitted_interval(
     return True, first, last
 
 
-@compiled
+@inlined
 def _best_velocity(
     lines: np.ndarray, count: int, max_speed: float, aim_x: float, aim_y: float, farthest: bool
 ) -> tuple[int, float, float]:
@@ -196,7 +198,7 @@ def _best_velocity(
     return count, x, y
 
 
-@compiled
+@inlined
 def _equal_excess_lines(lines: np.ndarray, number: int, projected: np.ndarray) -> int:
     """Write the half-planes where an earlier line is exceeded less than this; return how many."""
     count = 0
@@ -221,7 +223,7 @@ def _equal_excess_lines(lines: np.ndarray, number: int, projected: np.ndarray) -
     return count
 
 
-@compiled
+@inlined
 def _least_excess_velocity(
     space: Workspace, count: int, begin: int, max_speed: float, x: float, y: float
 ) -> tuple[float, float]:
@@ -241,7 +243,7 @@ def _least_excess_velocity(
 
 
 # The only cached function: a cache of the others would hold Workspace and break when it changes.
-@njit(cache=True, nogil=True, error_model='numpy')
+@compiled
 def orca_step(
     position: np.ndarray,
     velocity: np.ndarray,

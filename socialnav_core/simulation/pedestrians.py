@@ -2,16 +2,18 @@
 
 import math
 
-from numba import njit
 import numpy as np
 
+from socialnav_core.compilation import compiled
 from socialnav_core.config import OrcaConfig, Scenario
 from socialnav_core.simulation.episodes import Episodes
 from socialnav_core.simulation.orca import orca_step
 from socialnav_core.simulation.sampling import PackingError, renew_goal
 from socialnav_core.states import CrowdState
 
-RADIUS_PADDING = 0.01  # RVO2's users inflate every disc by it, so that touching ones do not collide
+RADIUS_PADDING = (
+    0.01  # RVO2's users inflate every disc by it, so that touching ones do not collide
+)
 RECIPROCAL = 0.5
 
 
@@ -31,7 +33,8 @@ def decide_velocities(
     goal, speed = episodes.goal, np.zeros_like(state.radius)
     speed[:, : scenario.pedestrians] = episodes.preferred_speed
     if scenario.robot_visible:  # the robot is one more body, behind the others
-        bodies = [np.concatenate(pair, axis=1) for pair in zip(bodies, robot_as_agent(state))]
+        robot = robot_as_agent(state)
+        bodies = [np.concatenate(pair, axis=1) for pair in zip(bodies, robot, strict=True)]
         goal = np.concatenate([goal, state.robot_goal[:, None]], axis=1)
         speed = np.concatenate([speed, state.robot_preferred_speed[:, None]], axis=1)
     velocity = avoid(scenario.orca, scenario.time_step, bodies, goal, speed,
@@ -84,7 +87,7 @@ def avoid(
     return out
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def head_for_goals(position, goal, speed, movers, out):  # type: ignore[no-untyped-def]
     """
     Write the preferred velocities: at full speed to the goal, slower within the last metre.
@@ -122,7 +125,7 @@ def renew_goals(scenario: Scenario, episodes: Episodes) -> None:
         )
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def renew_arrived_goals(streams, half_width, active, position, radius, goal):  # type: ignore[no-untyped-def]
     """
     Renew the goals of pedestrians that arrived; return whether each found one.

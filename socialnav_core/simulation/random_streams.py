@@ -1,7 +1,8 @@
-"""Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011): a draw is a pure function of its address."""
+"""Counter-based random numbers: a draw is a function of its address (Philox, Salmon 2011)."""
 
 import numpy as np
-from numba import njit
+
+from socialnav_core.compilation import compiled
 
 LAYOUT = 0
 GOALS = 1
@@ -29,7 +30,7 @@ def stream(split: str, seed: int, case: int, purpose: int, index: int = 0) -> np
     return np.array(words, dtype=np.uint64)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def philox(stream):  # type: ignore[no-untyped-def]
     """
     Return the four 32-bit words of a stream's present counter, as uint64.
@@ -52,7 +53,7 @@ def philox(stream):  # type: ignore[no-untyped-def]
     return c0, c1, c2, c3
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def uniform(stream, low, high):  # type: ignore[no-untyped-def]
     """
     Return a number of U(low, high), float64 of 53 random bits, and advance the stream.

@@ -4,9 +4,9 @@ import enum
 import math
 from typing import Any
 
-from numba import njit
 import numpy as np
 
+from socialnav_core.compilation import compiled
 from socialnav_core.config import RewardConfig
 from socialnav_core.states import CrowdState
 
@@ -70,7 +70,7 @@ def step_outcomes(
     return reward, outcome, clearance, pedestrian_clearance
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def swept_distance(x, y, move_x, move_y):  # type: ignore[no-untyped-def]
     """
     Return the least distance from the origin to the segment from p to p + move.
@@ -88,7 +88,7 @@ def swept_distance(x, y, move_x, move_y):  # type: ignore[no-untyped-def]
     return math.sqrt(x * x + y * y)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _judge(  # type: ignore[no-untyped-def]
     robot, robot_radius, goal, displacement, position, velocity, radius, static, valid, bounds,
     duration, settings, reward, outcome, clearance, pedestrian_clearance,

@@ -3,13 +3,12 @@
 import math
 from typing import Any
 
-from numba import njit
-
+from socialnav_core.compilation import compiled
 from socialnav_core.config import ConfigError, Scenario
 from socialnav_core.simulation.random_streams import uniform
 
-ATTEMPTS = 50
-RESTARTS = 2000
+ATTEMPTS = 200
+RESTARTS = 20000
 GAP = 0.2
 OBSTACLE_GAP = 1.2
 
@@ -48,7 +47,7 @@ def layout_settings(scenario: Scenario) -> tuple[Any, ...]:
     )  # fmt: skip
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def sample_layout(stream, pedestrians, settings, robot, position, radius, speed, goal):  # type: ignore[no-untyped-def]
     """
     Draw the start of one episode; return whether a layout was found.
@@ -72,7 +71,7 @@ def sample_layout(stream, pedestrians, settings, robot, position, radius, speed,
     return False
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def sample_robot(stream, settings, robot):  # type: ignore[no-untyped-def]
     """
     Draw the robot's start and goal; return whether they are far enough from each other.
@@ -98,7 +97,7 @@ def sample_robot(stream, settings, robot):  # type: ignore[no-untyped-def]
     return False
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def sample_obstacles(stream, pedestrians, settings, robot, position, radius, goal):  # type: ignore[no-untyped-def]
     """
     Draw the obstacles, the largest first; return whether all of them found a place.
@@ -137,7 +136,7 @@ def sample_obstacles(stream, pedestrians, settings, robot, position, radius, goa
     return True
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def sample_pedestrians(stream, pedestrians, settings, robot, position, radius, speed, goal):  # type: ignore[no-untyped-def]
     """
     Draw the pedestrians one after another; return whether all of them found a place.
@@ -182,7 +181,7 @@ def sample_pedestrians(stream, pedestrians, settings, robot, position, radius, s
     return True
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def draw_crossing(stream, settings, speed, start, goal):  # type: ignore[no-untyped-def]
     """
     Draw the start and goal of one pedestrian.
@@ -207,7 +206,7 @@ def draw_crossing(stream, settings, speed, start, goal):  # type: ignore[no-unty
     goal[1] = uniform(stream, -half_width, half_width)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def renew_goal(stream, half_width, i, pedestrians, position, radius, goal):  # type: ignore[no-untyped-def]
     """
     Draw another goal for a pedestrian, free of obstacles; return whether one was found.
@@ -230,7 +229,7 @@ def renew_goal(stream, half_width, i, pedestrians, position, radius, goal):  # t
     return False
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def near(x, y, other_x, other_y, distance):  # type: ignore[no-untyped-def]
     """
     Return whether two points are closer than a distance.
@@ -244,7 +243,7 @@ def near(x, y, other_x, other_y, distance):  # type: ignore[no-untyped-def]
     return (x - other_x) ** 2 + (y - other_y) ** 2 < distance * distance
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def near_any(x, y, gap, centre, radius, begin, end):  # type: ignore[no-untyped-def]
     """
     Return whether a point is closer to a disc of a range than a gap from its rim.
@@ -257,7 +256,7 @@ def near_any(x, y, gap, centre, radius, begin, end):  # type: ignore[no-untyped-
     :param begin: first disc.
     :param end: the one after the last.
     """
-    for j in range(begin, end):
+    for j in range(begin, end):  # noqa: SIM110, compiled faster than any()
         if near(x, y, centre[j, 0], centre[j, 1], gap + radius[j]):
             return True
     return False

@@ -1,10 +1,10 @@
 """The named scenarios: families of worlds, by name."""
 
+from collections.abc import Mapping
 import dataclasses
 import difflib
 import math
 import re
-from collections.abc import Mapping
 from typing import Any
 
 from socialnav_core.config import ConfigError, OrcaConfig, RewardConfig, Scenario
@@ -38,8 +38,8 @@ SCENARIOS = {
     'hard': '5 pedestrians and 5 obstacles of radius 0.5 to 1.5 m',
     'simple10': '5 pedestrians and 10 obstacles of radius 0.3 m',
     'crowd20': '20 pedestrians, no obstacles',
-    'curriculum-R': '5 pedestrians and 10 obstacles up to radius R (0.3 to 2.5 m), 20 m wide world',
-    'packed-R': 'the same as curriculum-R in a 15 m wide world',
+    'curriculum-R': '5 pedestrians and 10 obstacles up to radius R (0.3 to 2.5 m), 20 m world',
+    'packed-R': 'the same as curriculum-R in a 15 m world',
     'circle': '5 pedestrians cross a circle of radius 4 m, no obstacles, no walls',
 }
 """Names of the scenarios and what they are; R stands for a number."""

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from socialnav_core.config import ConfigError, Scenario, require, require_choice
+from socialnav_core.config import ConfigError, require, require_choice, Scenario
 from socialnav_core.simulation.episodes import Episodes
 from socialnav_core.simulation.kinematics import move_robot
 from socialnav_core.simulation.pedestrians import decide_velocities, renew_goals
@@ -98,7 +98,7 @@ class Simulator:
         episode so far: steps, time, path_length, minimum_clearance; and final_state, the
         CrowdState before finished worlds were started again.
 
-        :param command: of the robots, (vx, vy) in the world frame or (speed, turn rate), (batch, 2).
+        :param command: (vx, vy) in the world frame or (speed, turn rate), (batch, 2).
         :param duration: at most the scenario's time step, s; pedestrians decide only at multiples
             of the time step since the episode began.
         :raises ValueError: for a command of another shape or one that is not finite.

@@ -7,15 +7,15 @@ import pytest
 import torch
 
 from socialnav_core.config import Config, PolicyConfig
-from socialnav_core.policies import CheckpointError, build_network, load_policy
+from socialnav_core.policies import build_network, CheckpointError, load_policy
 from socialnav_core.policies.checkpoint import (
-    CONFIG,
-    WEIGHTS,
     atomic_write,
+    CONFIG,
     load_checkpoint,
     save_weights,
+    WEIGHTS,
 )
-from socialnav_core.simulation import Simulator, make_scenario
+from socialnav_core.simulation import make_scenario, Simulator
 
 
 @pytest.fixture(params=['sarl', 'gat4sn'])

@@ -7,8 +7,8 @@ import pytest
 import torch
 
 from socialnav_core.config import ConfigError, PolicyConfig, ScreeningConfig
-from socialnav_core.policies import ValuePolicy, build_network
-from socialnav_core.simulation import Outcome, Simulator, make_scenario, observe
+from socialnav_core.policies import build_network, ValuePolicy
+from socialnav_core.simulation import make_scenario, observe, Outcome, Simulator
 from socialnav_core.simulation.kinematics import action_set
 
 

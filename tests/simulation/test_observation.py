@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from socialnav_core.simulation import Simulator, make_scenario, observe
+from socialnav_core.simulation import make_scenario, observe, Simulator
 
 
 def scene():

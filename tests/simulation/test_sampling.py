@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from socialnav_core.simulation import PackingError, Simulator, make_scenario
+from socialnav_core.simulation import make_scenario, PackingError, Simulator
 
 TOLERANCE = 1e-12
 

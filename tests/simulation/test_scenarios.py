@@ -4,9 +4,9 @@ import pytest
 
 from socialnav_core.config import ConfigError
 from socialnav_core.simulation.scenarios import (
-    SCENARIOS,
     make_scenario,
     resolve_scenario,
+    SCENARIOS,
     with_obstacle_radius,
 )
 

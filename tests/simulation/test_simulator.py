@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from socialnav_core.config import ConfigError
-from socialnav_core.simulation import Outcome, Simulator, make_scenario
+from socialnav_core.simulation import make_scenario, Outcome, Simulator
 from socialnav_core.states import CROWD_STATE_FIELDS
 
 
@@ -28,9 +28,7 @@ def run_cases(scenario, worlds, cases, seed=3):
         for world in np.flatnonzero(terminated | truncated):
             case = int(info['case_index'][world])
             assert case not in results
-            results[case] = tuple(
-                info[key][world] for key in ('outcome', 'steps', 'path_length')
-            )
+            results[case] = tuple(info[key][world] for key in ('outcome', 'steps', 'path_length'))
     return results
 
 
