@@ -96,7 +96,9 @@ def agent_message(state: CrowdState, index: int) -> AgentState:
     )
 
 
-def odometry_message(state: CrowdState, nanoseconds: int, frame: str, base_frame: str) -> Odometry:
+def odometry_message(
+    state: CrowdState, nanoseconds: int, frame: str, base_frame: str, turn_rate: float = 0.0
+) -> Odometry:
     """
     Return pose and velocity of the robot of the first world.
 
@@ -104,6 +106,7 @@ def odometry_message(state: CrowdState, nanoseconds: int, frame: str, base_frame
     :param nanoseconds: time of the state.
     :param frame: frame of the pose.
     :param base_frame: frame of the twist, fixed to the robot.
+    :param turn_rate: of the robot, rad/s.
     """
     message = Odometry(header=header_message(nanoseconds, frame), child_frame_id=base_frame)
     heading = float(state.robot_heading[0])
@@ -112,6 +115,7 @@ def odometry_message(state: CrowdState, nanoseconds: int, frame: str, base_frame
     message.pose.pose.orientation = quaternion_of(heading)
     velocity_x, velocity_y = rotate(state.robot_velocity[0], -heading).tolist()
     message.twist.twist.linear = Vector3(x=velocity_x, y=velocity_y)
+    message.twist.twist.angular.z = turn_rate
     return message
 
 
@@ -264,7 +268,7 @@ def nearest_agents(state: CrowdState, max_agents: int) -> CrowdState:
     gap = np.hypot(offset[:, 0], offset[:, 1]) - state.radius[0]
     kept = np.sort(np.argsort(gap, kind='stable')[:max_agents])
     chosen = {
-        name: getattr(state, name)[:, kept]
+        name: np.take(getattr(state, name), kept, axis=1)
         for name in ('position', 'velocity', 'radius', 'static', 'valid')
     }
     return dataclasses.replace(state, **chosen)

@@ -162,7 +162,7 @@ class SimulatorNode(Node):
             self.get_logger().warning(f'ignored: {error}', throttle_duration_sec=1.0)
             return
         if not self.lockstep:
-            self.publish(standing_messages(self.world.state, self.stamp(), self.frames))
+            self.publish(standing_messages(self.world, self.stamp(), self.frames))
 
     def on_goal_subscriber(self, event: QoSPublisherMatchedInfo) -> None:
         """
@@ -235,8 +235,8 @@ class SimulatorNode(Node):
         if self.world.fresh:
             self.publish({'map': map_message(state, stamp, self.frames.map)})
         if self.world.fresh or self.lockstep:
-            self.publish(standing_messages(state, stamp, self.frames))
-        self.publish(moving_messages(state, stamp, self.frames))
+            self.publish(standing_messages(self.world, stamp, self.frames))
+        self.publish(moving_messages(self.world, stamp, self.frames))
         if self.markers.get_subscription_count():
             tolerance = self.world.scenario.goal_tolerance
             self.markers.publish(world_markers(state, tolerance, stamp, self.frames.odom))

@@ -135,7 +135,6 @@ class World:
         if self.episode is not None:
             self._start(self.episode.case_index + 1)
             return
-        self.fresh = False
         while duration > TIME_TOLERANCE and self.episode is None:
             piece = min(duration, self._until_decision())
             self._step(piece)
@@ -149,9 +148,12 @@ class World:
 
     def _step(self, duration: float) -> None:
         """Advance the simulator by a time without a decision of pedestrians inside."""
+        command = self._world_command()
+        self.turn_rate = float(command[1]) if self.scenario.kinematics == 'differential' else 0.0
         self.state, _, terminated, truncated, info = self._simulator.advance(
-            self._world_command()[None], duration
+            command[None], duration
         )
+        self.fresh = False
         self.clock += round(duration * 1e9)
         if terminated[0] or truncated[0]:
             self.episode = self._ended(info)
@@ -181,6 +183,6 @@ class World:
     def _start(self, case_index: int) -> None:
         """Lay out a case."""
         self.state = self._simulator.reset(seed=self.seed, split='test', cases=[case_index])
-        self.episode, self.fresh = None, True
+        self.episode, self.fresh, self.turn_rate = None, True, 0.0
         self.clock += BREAK
         self.drive(np.zeros(2))

@@ -5,8 +5,7 @@ from typing import Any
 
 from socialnav.conversions import agents_message, goal_message, odometry_message
 from socialnav.stamps import header_message
-from socialnav.world import Episode
-from socialnav_core.states import CrowdState
+from socialnav.world import Episode, World
 from socialnav_msgs.msg import EpisodeResult
 
 
@@ -22,31 +21,32 @@ class Frames:
     """Frame of the robot."""
 
 
-def moving_messages(state: CrowdState, nanoseconds: int, frames: Frames) -> dict[str, Any]:
+def moving_messages(world: World, nanoseconds: int, frames: Frames) -> dict[str, Any]:
     """
     Return the messages that every state needs, by topic.
 
-    :param state: the world; its first one is meant.
-    :param nanoseconds: time of the state.
+    :param world: as it is.
+    :param nanoseconds: time of its state.
     :param frames: names of the frames.
     """
+    state, rate = world.state, world.turn_rate
     return {
         'pedestrians': agents_message(state, False, nanoseconds, frames.odom),
-        'odom': odometry_message(state, nanoseconds, frames.odom, frames.base),
+        'odom': odometry_message(state, nanoseconds, frames.odom, frames.base, rate),
     }
 
 
-def standing_messages(state: CrowdState, nanoseconds: int, frames: Frames) -> dict[str, Any]:
+def standing_messages(world: World, nanoseconds: int, frames: Frames) -> dict[str, Any]:
     """
     Return the messages of what stays as it is during an episode, by topic.
 
-    :param state: the world; its first one is meant.
-    :param nanoseconds: time of the state.
+    :param world: as it is.
+    :param nanoseconds: time of its state.
     :param frames: names of the frames.
     """
     return {
-        'goal_pose': goal_message(state, nanoseconds, frames.odom),
-        'obstacles': agents_message(state, True, nanoseconds, frames.odom),
+        'goal_pose': goal_message(world.state, nanoseconds, frames.odom),
+        'obstacles': agents_message(world.state, True, nanoseconds, frames.odom),
     }
 
 

@@ -26,6 +26,7 @@ class Graph:
         self.executor = SingleThreadedExecutor()
         self.executor.add_node(self.node)
         self.processes: list[subprocess.Popen] = []
+        self.living: list[subprocess.Popen] = []
 
     def start(self, name: str, **parameters: object) -> subprocess.Popen:
         """Start a node of the package; it is killed at the end of the test at the latest."""
@@ -34,7 +35,13 @@ class Graph:
             stderr=subprocess.PIPE, text=True, env=dict(os.environ), start_new_session=True,
         )  # fmt: skip
         self.processes.append(process)
+        self.living.append(process)
         return process
+
+    def kill(self, process: subprocess.Popen, number: int = signal.SIGKILL) -> None:
+        """Send a signal to a node; from now on it may die."""
+        self.living.remove(process)
+        kill(process, number)
 
     def listen(self, kind: type, topic: str, profile: QoSProfile | int = 1000) -> list:
         """Return a list that grows with every message of a topic."""
@@ -47,6 +54,8 @@ class Graph:
         end = time.monotonic() + deadline
         while not (value := condition()):
             assert time.monotonic() < end, f'no {what} within {deadline:g} s'
+            for process in self.living:
+                assert process.poll() is None, process.communicate()[1]
             self.executor.spin_once(timeout_sec=0.02)
         return value
 
@@ -68,7 +77,8 @@ class Graph:
         """Kill what was started and leave."""
         for process in self.processes:
             kill(process)
-            process.communicate()
+            process.wait()
+            process.stderr.close()
         self.executor.shutdown()
         self.node.destroy_node()
 

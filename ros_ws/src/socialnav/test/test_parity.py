@@ -4,14 +4,18 @@ from models import default_model_folder
 from nav_msgs.msg import Odometry
 import numpy as np
 import pytest
+import torch
 
 from socialnav import qos
 from socialnav.stamps import nanoseconds_of
 from socialnav.world import OUTCOMES
-from socialnav_core.policies import load_policy
+from socialnav_core.config import Config, PolicyConfig
+from socialnav_core.policies import build_network, load_policy
+from socialnav_core.policies.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario, Outcome, Simulator
 from socialnav_msgs.msg import EpisodeResult
 
+FEW = 5
 CASES = 20
 MANY = 100
 SEED = 11
@@ -33,6 +37,21 @@ def offline(policy, scenario, case):
     return outcome, int(info['steps'][0]), state.robot_position[0]
 
 
+@pytest.fixture(scope='module')
+def untrained(tmp_path_factory):
+    """Return a checkpoint whose weights are random: it drives badly, but always alike."""
+    folder = tmp_path_factory.mktemp('untrained')
+    policy = PolicyConfig(network='gat4sn')
+    torch.manual_seed(0)
+    config = Config('untrained', make_scenario('hard'), policy=policy)
+    save_weights(folder, build_network(policy), config)
+    return str(folder)
+
+
+def test_an_untrained_network_ends_alike_too(graph, untrained):
+    compare(graph, untrained, 'hard', FEW)
+
+
 @pytest.mark.parametrize(
     ('model', 'scenario', 'cases'),
     [
@@ -44,6 +63,11 @@ def offline(policy, scenario, case):
     ],
 )
 def test_a_case_ends_alike_offline_and_through_the_graph(graph, model, scenario, cases):
+    compare(graph, model, scenario, cases)
+
+
+def compare(graph, model, scenario, cases):
+    """Run cases both ways and compare how they end."""
     results = graph.listen(EpisodeResult, 'episode_result', qos.LATCHED_RECORDING)
     odometry = graph.listen(Odometry, 'odom')
     graph.start('simulator_node', lockstep=True, scenario=scenario, seed=SEED, episodes=cases)
@@ -51,6 +75,7 @@ def test_a_case_ends_alike_offline_and_through_the_graph(graph, model, scenario,
     graph.wait(lambda: len(results) == cases, 'end of the episodes', deadline=110.0)
     graph.spin(0.2)
     final = {nanoseconds_of(one.header.stamp): one.pose.pose.position for one in odometry}
+    torch.set_num_threads(1)  # as in the node
     policy, world = load_policy(model), make_scenario(scenario)
     for case, result in enumerate(results):
         outcome, steps, position = offline(policy, world, case)

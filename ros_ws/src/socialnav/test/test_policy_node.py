@@ -5,7 +5,6 @@ import signal
 import time
 
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
-from graph import kill
 from nav_msgs.msg import Odometry
 import pytest
 from rcl_interfaces.msg import Parameter, ParameterValue
@@ -14,6 +13,10 @@ from std_msgs.msg import Bool
 from worlds import messages_of, random_state
 
 from socialnav import qos
+from socialnav_core.config import Config
+from socialnav_core.policies import build_network
+from socialnav_core.policies.checkpoint import save_weights
+from socialnav_core.simulation import make_scenario
 from socialnav_msgs.msg import AgentStates
 
 PERIOD = 0.1
@@ -79,7 +82,7 @@ def test_in_real_time_the_policy_brings_the_robot_nearer_to_its_goal(graph, driv
 
 def test_when_the_simulator_is_killed_the_robot_stops_within_the_timeout(graph, driving):
     commands, simulator, _ = driving
-    kill(simulator)
+    graph.kill(simulator)
     killed = time.monotonic()
     graph.wait(lambda: speed(commands[-1]) == 0.0, 'stop', deadline=5.0)
     assert time.monotonic() - killed < 0.5 + PERIOD + TRANSPORT
@@ -88,7 +91,7 @@ def test_when_the_simulator_is_killed_the_robot_stops_within_the_timeout(graph, 
 @pytest.mark.parametrize('number', [signal.SIGTERM, signal.SIGINT])
 def test_a_signal_ends_the_policy_with_a_zero_command_as_the_last(graph, driving, number):
     commands, _, policy = driving
-    kill(policy, number)
+    graph.kill(policy, number)
     graph.wait(lambda: policy.poll() is not None, 'end of the process')
     graph.spin(0.3)
     assert policy.returncode == 0
@@ -194,3 +197,14 @@ def test_a_wrong_parameter_is_one_line_and_exit_code_1(graph, name, parameters, 
     _, errors = process.communicate(timeout=20)
     assert process.returncode == 1
     assert text in errors and errors.startswith(name) and errors.count('\n') == 1
+
+
+def test_a_damaged_model_is_one_line_and_exit_code_1(graph, tmp_path):
+    config = Config('damaged', make_scenario('hard'))
+    save_weights(tmp_path, build_network(config.policy), config)
+    weights = tmp_path / 'weights.safetensors'
+    weights.write_bytes(weights.read_bytes()[:-100])
+    process = graph.start('policy_node', model=tmp_path)
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == 1
+    assert str(tmp_path) in errors and errors.count('\n') == 1
