@@ -40,7 +40,7 @@ class Episodes:
         self.scenario = scenario
         self.state = empty_state(scenario, batch_size)
         self.goal = np.zeros((batch_size, scenario.agents, 2))
-        self.preferred_speed = np.zeros((batch_size, scenario.pedestrians))
+        self.preferred_speed = np.zeros((batch_size, scenario.agents))
         self.goal_streams = np.zeros((batch_size, scenario.pedestrians, 6), np.uint64)
         self.case_index = np.full(batch_size, -1)
         self.steps = np.zeros(batch_size, np.int64)
@@ -104,17 +104,17 @@ class Episodes:
         """
         self.case_index[worlds] = -1
 
-    def record(self, distance: np.ndarray, clearance: np.ndarray, active: np.ndarray) -> None:
-        """
-        Add a step to the records of the active worlds.
+    def moving_arrays(self) -> tuple[np.ndarray, ...]:
+        """Return what a step changes of the state, in the order of `move_worlds`."""
+        state = self.state
+        return (
+            state.robot_position, state.robot_velocity, state.robot_heading, state.position,
+            state.velocity, state.time,
+        )  # fmt: skip
 
-        :param distance: driven, m, (batch,).
-        :param clearance: least gap, m, (batch,).
-        :param active: bool, (batch,).
-        """
-        self.steps[active] += 1
-        self.path_length[active] += distance[active]
-        np.minimum(self.minimum_clearance, clearance, out=self.minimum_clearance, where=active)
+    def records(self) -> tuple[np.ndarray, ...]:
+        """Return what a step adds to the records, in the order of `move_worlds`."""
+        return self.steps, self.path_length, self.minimum_clearance
 
     def summary(self) -> dict[str, Any]:
         """Return copies of the records: case_index, steps, time, path_length, clearance."""
@@ -203,12 +203,12 @@ def lay_out(  # type: ignore[no-untyped-def]
     :param robot_goal: out, (batch, 2), m.
     :param position: out, (batch, agents, 2), m.
     :param radius: out, (batch, agents), m.
-    :param speed: out, (batch, pedestrians), m/s.
+    :param speed: out, (batch, agents), m/s; obstacles have none.
     :param goal: out, (batch, agents, 2), m.
     :param goal_streams: out, uint64 (batch, pedestrians, 6).
     """
     robot = np.empty(4)
-    pedestrians = speed.shape[1]
+    pedestrians = goal_streams.shape[1]
     for n in range(len(worlds)):
         world = worlds[n]
         draws = layout_stream.copy()

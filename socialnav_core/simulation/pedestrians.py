@@ -5,86 +5,58 @@ import math
 import numpy as np
 
 from socialnav_core.compilation import compiled
-from socialnav_core.config import OrcaConfig, Scenario
+from socialnav_core.config import Scenario
 from socialnav_core.simulation.episodes import Episodes
 from socialnav_core.simulation.orca import orca_step
 from socialnav_core.simulation.sampling import PackingError, renew_goal
 from socialnav_core.states import CrowdState
 
-RADIUS_PADDING = (
-    0.01  # RVO2's users inflate every disc by it, so that touching ones do not collide
-)
+RADIUS_PADDING = 0.01  # RVO2's users inflate every disc by it, lest touching ones collide
 RECIPROCAL = 0.5
 
 
 def decide_velocities(
-    scenario: Scenario, episodes: Episodes, due: np.ndarray, out: np.ndarray
-) -> None:
+    scenario: Scenario, episodes: Episodes, due: np.ndarray, decided: np.ndarray
+) -> np.ndarray:
     """
-    Write the velocities that the pedestrians of some worlds choose by ORCA.
+    Return the velocities of all agents, chosen anew by ORCA in some worlds, (batch, agents, 2).
 
     :param scenario: settings of ORCA; who is seen.
     :param episodes: the worlds and the pedestrians' goals.
     :param due: worlds to decide in, bool (batch,).
-    :param out: velocities, m/s, (batch, agents, 2); obstacles keep zero.
+    :param decided: velocities so far, m/s, (batch, agents, 2), zero for obstacles; may be changed.
     """
-    state = episodes.state
+    state, orca = episodes.state, scenario.orca
     bodies = [state.position, state.velocity, state.radius, state.static, state.valid]
-    goal, speed = episodes.goal, np.zeros_like(state.radius)
-    speed[:, : scenario.pedestrians] = episodes.preferred_speed
+    bodies += [episodes.preferred_speed]
     if scenario.robot_visible:  # the robot is one more body, behind the others
         robot = robot_as_agent(state)
         bodies = [np.concatenate(pair, axis=1) for pair in zip(bodies, robot, strict=True)]
-        goal = np.concatenate([goal, state.robot_goal[:, None]], axis=1)
-        speed = np.concatenate([speed, state.robot_preferred_speed[:, None]], axis=1)
-    velocity = avoid(scenario.orca, scenario.time_step, bodies, goal, speed,
-                     scenario.pedestrians, due)  # fmt: skip
-    out[due, : scenario.pedestrians] = velocity[due, : scenario.pedestrians]
+        decided = np.concatenate([decided, state.robot_velocity[:, None]], axis=1)
+    position, velocity, radius, static, valid, speed = bodies
+    preferred = np.empty_like(position)
+    head_for_goals(position, episodes.goal, speed, scenario.pedestrians, preferred)
+    orca_step(
+        position, velocity, preferred, radius + (RADIUS_PADDING + orca.safety_space), speed, valid,
+        np.where(static, orca.static_responsibility, RECIPROCAL),
+        np.full_like(radius, orca.neighbor_distance), due, scenario.pedestrians,
+        orca.max_neighbors, orca.time_horizon, scenario.time_step, decided,
+    )  # fmt: skip
+    return np.ascontiguousarray(decided[:, : scenario.agents])
 
 
 def robot_as_agent(state: CrowdState) -> list[np.ndarray]:
     """
-    Return position, velocity, radius, static and valid of the robot as one agent.
+    Return position, velocity, radius, static, valid and speed of the robot as one agent.
 
     :param state: the worlds.
     """
     alone = state.robot_radius[:, None]
     never = np.zeros(alone.shape, bool)
-    return [state.robot_position[:, None], state.robot_velocity[:, None], alone, never, ~never]
-
-
-def avoid(
-    orca: OrcaConfig,
-    time_step: float,
-    bodies: list[np.ndarray],
-    goal: np.ndarray,
-    speed: np.ndarray,
-    movers: int,
-    due: np.ndarray,
-) -> np.ndarray:
-    """
-    Return the ORCA velocities of the first agents of each world, m/s, (batch, agents, 2).
-
-    Everybody heads for its goal at its speed, and slows down within the last metre.
-
-    :param orca: settings.
-    :param time_step: s.
-    :param bodies: position, velocity, radius, static and valid, (batch, agents, ...).
-    :param goal: m, (batch, agents, 2).
-    :param speed: preferred and greatest speeds, m/s, (batch, agents).
-    :param movers: number of agents that decide; the others only are in the way.
-    :param due: worlds to decide in, bool (batch,).
-    """
-    position, velocity, radius, static, valid = bodies
-    preferred, out = np.zeros_like(position), np.zeros_like(position)
-    head_for_goals(position, goal, speed, movers, preferred)
-    orca_step(
-        position, velocity, preferred, radius + (RADIUS_PADDING + orca.safety_space), speed, valid,
-        np.where(static, orca.static_responsibility, RECIPROCAL),
-        np.full_like(radius, orca.neighbor_distance), due, movers, orca.max_neighbors,
-        orca.time_horizon, time_step, out,
-    )  # fmt: skip
-    return out
+    speed = state.robot_preferred_speed[:, None]
+    return [
+        state.robot_position[:, None], state.robot_velocity[:, None], alone, never, ~never, speed,
+    ]  # fmt: skip
 
 
 @compiled

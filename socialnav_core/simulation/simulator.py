@@ -9,13 +9,13 @@ import numpy as np
 from socialnav_core.config import ConfigError, require, require_choice, Scenario
 from socialnav_core.simulation.episodes import Episodes
 from socialnav_core.simulation.kinematics import move_robot
+from socialnav_core.simulation.motion import move_worlds, TIME_TOLERANCE
 from socialnav_core.simulation.pedestrians import decide_velocities, renew_goals
 from socialnav_core.simulation.rewards import Outcome, reward_settings, step_outcomes
 from socialnav_core.states import CrowdState
 
 AUTORESETS = ('same_step', 'disabled')
 LAYOUT_FIELDS = ('name', 'obstacle_radius_min', 'obstacle_radius_max', 'hardest_obstacle_ratio')
-TIME_TOLERANCE = 1e-9
 
 Step = tuple[CrowdState, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]
 
@@ -104,35 +104,35 @@ class Simulator:
         :raises ValueError: for a command of another shape or one that is not finite.
         """
         command = self._checked(command)
-        velocities = self._decide()
-        moves = move_robot(
-            self.scenario.kinematics, self._episodes.state.robot_heading, command, duration
+        velocities, episodes, scenario = self._decide(), self._episodes, self.scenario
+        displacement, robot_velocity, heading = move_robot(
+            scenario.kinematics, episodes.state.robot_heading, command, duration
         )
-        reward, outcome, clearance, pedestrian_clearance = (
-            array[:, 0]
-            for array in step_outcomes(
-                self._episodes.state, moves[0][:, None], velocities, duration, self._settings
-            )
+        judged = step_outcomes(
+            episodes.state, displacement[:, None], velocities, duration, self._settings
         )
+        reward, outcome, clearance, pedestrian_clearance = (array.reshape(-1) for array in judged)
         active = self.active
-        self._move(moves, velocities, duration, active)
-        self._episodes.record(np.linalg.norm(moves[0], axis=-1), clearance, active)
-        late = self._episodes.state.time >= self.scenario.time_limit - TIME_TOLERANCE
-        outcome[(outcome == Outcome.NONE) & late] = Outcome.TIMEOUT
-        outcome[~active] = Outcome.NONE
-        info = self._episodes.summary() | {
+        move_worlds(
+            active, displacement, robot_velocity, heading, velocities, duration, clearance,
+            scenario.time_limit, episodes.moving_arrays(), self._until_decision,
+            episodes.records(), reward, outcome,
+        )  # fmt: skip
+        if scenario.renew_goals:
+            renew_goals(scenario, episodes)
+        info = episodes.summary() | {
             'outcome': outcome,
             'active': active,
             'clearance': clearance,
             'pedestrian_clearance': pedestrian_clearance,
         }
         truncated = outcome == Outcome.TIMEOUT
-        terminated = (outcome != Outcome.NONE) & ~truncated
+        ended = outcome != Outcome.NONE
         state = info['final_state'] = self.state
-        if (terminated | truncated).any():
-            self._end(np.flatnonzero(terminated | truncated))
+        if ended.any():
+            self._end(np.flatnonzero(ended))
             state = self.state
-        return state, np.where(active, reward, 0.0), terminated, truncated, info
+        return state, reward, ended & ~truncated, truncated, info
 
     def next_agent_velocities(self) -> np.ndarray:
         """
@@ -197,29 +197,9 @@ class Simulator:
         """Return the velocities of the agents, decided again in the worlds where that is due."""
         due = self._episodes.active & (self._until_decision <= TIME_TOLERANCE)
         if due.any():
-            decide_velocities(self.scenario, self._episodes, due, self._decided)
+            self._decided = decide_velocities(self.scenario, self._episodes, due, self._decided)
             self._until_decision[due] = self.scenario.time_step
         return self._decided
-
-    def _move(
-        self,
-        moves: tuple[np.ndarray, np.ndarray, np.ndarray],
-        velocities: np.ndarray,
-        duration: float,
-        active: np.ndarray,
-    ) -> None:
-        """Move everybody in the active worlds and give arrived pedestrians another goal."""
-        state = self._episodes.state
-        displacement, robot_velocity, heading = moves
-        state.robot_position[active] += displacement[active]
-        state.robot_velocity[active] = robot_velocity[active]
-        state.robot_heading[active] = heading[active]
-        state.velocity[active] = velocities[active]
-        state.position[active] += velocities[active] * duration
-        state.time[active] += duration
-        self._until_decision[active] -= duration
-        if self.scenario.renew_goals:
-            renew_goals(self.scenario, self._episodes)
 
     def _end(self, worlds: np.ndarray) -> None:
         """Start the next cases of worlds that ended, or leave them idle."""
