@@ -1,0 +1,105 @@
+"""Laws of collection."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from socialnav_core.policies import ValuePolicy
+from socialnav_core.policies.lookahead import Decision
+from socialnav_core.simulation import make_scenario, observe, Simulator
+from socialnav_core.training.randomness import initial_network
+from socialnav_core.training.rollout import collect, explore, value_at_cut
+
+WORLDS, STEPS = 6, 12
+
+
+def make_worlds(config, time_limit=25.0, lookahead='oracle'):
+    """Return a simulator, a policy with random weights and its first decision."""
+    scenario = dataclasses.replace(make_scenario('simple'), time_limit=time_limit)
+    simulator = Simulator(scenario, WORLDS)
+    network = initial_network(config.policy, seed=0)
+    policy = ValuePolicy(network, dataclasses.replace(config.policy, lookahead=lookahead))
+    policy.oracle = simulator.next_agent_velocities
+    return simulator, policy, policy.decide(simulator.reset(seed=0, split='train'))
+
+
+def run(worlds, epsilon=0.0, trace_decay=0.7):
+    """Return a rollout."""
+    return collect(*worlds, STEPS, epsilon, trace_decay, np.random.default_rng(0))
+
+
+def test_rollout_holds_every_step_of_every_world(tiny_config):
+    rollout = run(make_worlds(tiny_config))
+    assert rollout.observation.robot.shape == (STEPS * WORLDS, 6)
+    assert rollout.target.shape == (STEPS * WORLDS,) and np.isfinite(rollout.target).all()
+
+
+def test_first_states_of_a_rollout_are_those_decided_upon(tiny_config):
+    worlds = make_worlds(tiny_config)
+    seen = observe(worlds[0].state)
+    np.testing.assert_array_equal(run(worlds).observation.others[:WORLDS], seen.others)
+
+
+def test_one_step_targets_follow_from_rewards_and_the_next_decisions(tiny_config):
+    simulator, policy, decision = make_worlds(tiny_config)
+    state, reward, terminated, _, _ = simulator.step(decision.command())
+    later = np.where(terminated, 0, policy.decide(state).maximum())
+    rollout = run(make_worlds(tiny_config), trace_decay=0.0)
+    expected = reward + simulator.scenario.discount * later
+    assert rollout.target[:WORLDS] == pytest.approx(expected, abs=1e-6)
+
+
+def test_last_decision_is_that_of_the_present_state(tiny_config):
+    simulator, policy, decision = make_worlds(tiny_config)
+    rollout = run((simulator, policy, decision), epsilon=0.3)
+    expected = policy.decide(simulator.state)
+    np.testing.assert_array_equal(rollout.decision.values, expected.values)
+
+
+def test_every_episode_that_ended_is_reported_once(tiny_config):
+    simulator, policy, decision = make_worlds(tiny_config, time_limit=1.0)
+    rollout = run((simulator, policy, decision))
+    begun = simulator.case_index.max() + 1
+    running = set(simulator.case_index.tolist())
+    assert sorted(rollout.case_index.tolist()) == sorted(set(range(begun)) - running)
+    assert (rollout.time <= 1.0).all()
+
+
+def test_truncated_episode_is_worth_what_its_last_state_promised(tiny_config):
+    simulator, policy, decision = make_worlds(tiny_config, time_limit=0.25)
+    state, reward, _, truncated, info = simulator.step(decision.command())
+    assert truncated.any()
+    config = dataclasses.replace(policy.config, lookahead='constant_velocity')
+    promised = ValuePolicy(policy.network, config).decide(info['final_state']).maximum()
+    rollout = run(make_worlds(tiny_config, time_limit=0.25))
+    expected = reward + simulator.scenario.discount * promised
+    assert rollout.target[:WORLDS][truncated] == pytest.approx(expected[truncated], abs=1e-6)
+
+
+def test_only_episodes_that_were_cut_bootstrap_from_their_last_state(tiny_config):
+    simulator, policy, _ = make_worlds(tiny_config)
+    truncated = np.array([True] + [False] * (WORLDS - 1))
+    values = value_at_cut(policy, simulator.state, truncated)
+    assert values[0] != 0 and not values[1:].any()
+
+
+def decision_of(batch, actions):
+    """Return a decision in which the last action is the best everywhere."""
+    values = np.tile(np.arange(actions, dtype=np.float32), (batch, 1))
+    return Decision(np.zeros((batch, actions, 2)), values, values.argmax(axis=1))
+
+
+def test_actions_are_the_best_ones_without_exploration():
+    action = explore(decision_of(50, 5), 0.0, np.random.default_rng(0))
+    assert (action == 4).all()
+
+
+def test_exploration_draws_from_all_actions_alike():
+    action = explore(decision_of(5000, 5), 1.0, np.random.default_rng(0))
+    np.testing.assert_allclose(np.bincount(action) / 5000, 0.2, atol=0.03)
+
+
+def test_share_of_random_actions_is_epsilon():
+    action = explore(decision_of(20000, 5), 0.25, np.random.default_rng(0))
+    assert (action != 4).mean() == pytest.approx(0.25 * 4 / 5, abs=0.02)
