@@ -213,16 +213,18 @@ def reproduction(folder: Path, results: list[dict[str, Any]]) -> str:
     :param folder: of the checkpoint.
     :param results: of evaluations.
     """
-    commands = [f'OMP_NUM_THREADS=1 socialnav train {folder}/config.yaml --out out/{folder.name}']
+    place = folder.resolve()
+    again = f'out/{place.name}_again'
+    commands = [f'socialnav train {place.parent.name}/{place.name}/config.yaml --out {again}']
     commands += [
-        f'socialnav evaluate out/{folder.name} --scenario {result["scenario"]} '
+        f'socialnav evaluate {again} --scenario {result["scenario"]} '
         f'--episodes {result["episodes"]} --seed {result["seed"]} --split {result["split"]} '
         f'--lookahead {result["lookahead"]} '
         f'{"--screening" if result["screening"] else "--no-screening"} --card'
-        for result in results or []
+        for result in results
     ]
     if not results:
-        commands.append(f'socialnav evaluate out/{folder.name} --scenario simple --card')
+        commands.append(f'socialnav evaluate {again} --scenario simple --card')
     block = '\n'.join(commands)
     return (
         '## Reproduce\n\n'
