@@ -65,7 +65,8 @@ SIMULATOR_PARAMETERS = (
 POLICY_PARAMETERS = (
     Entry('model', DEFAULT_MODEL, 'name in the share folder, path, `orca` or `straight_line`'),
     Entry(
-        'screening', 'checkpoint', 'refuse actions after which a collision is certain; checkpoint: as saved',
+        'screening', 'checkpoint',
+        'refuse actions after which a collision is certain; checkpoint: as saved',
         choices=('checkpoint', 'enabled', 'disabled'),
     ),
     Entry('lockstep', False, 'decide once per state of a simulator in lockstep'),
