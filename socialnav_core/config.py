@@ -10,6 +10,7 @@ KINEMATICS = ('holonomic', 'differential')
 NETWORKS = ('sarl', 'gat4sn', 'gat4sn_linear', 'gat4sn_v2')
 DEVICES = ('cpu', 'cuda')
 LOOKAHEADS = ('constant_velocity', 'oracle')
+SCHEDULERS = ('smooth', 'baby_step', 'one_pass')
 POSITIVE_SCENARIO_FIELDS = (
     'spawn_half_width', 'circle_radius', 'minimum_travel', 'bounds', 'pedestrian_radius',
     'pedestrian_speed', 'robot_radius', 'robot_preferred_speed', 'goal_tolerance', 'time_step',
@@ -212,6 +213,8 @@ class CurriculumConfig:
 
     enabled: bool = False
     """Whether the curriculum is used; otherwise the scenario stays as it is."""
+    scheduler: str = 'smooth'
+    """Radii of a level: smooth, baby_step or one_pass (docs/training.md)."""
     start_radius: float = 0.3
     """Largest obstacle radius of the first level, m."""
     radius_step: float = 0.2
@@ -222,6 +225,12 @@ class CurriculumConfig:
     """Success rate over the window that opens the next level."""
     window: int = 50
     """Number of the latest episodes begun at a level that are counted."""
+    largest_minimum: float = 0.5
+    """Most that baby_step and one_pass raise the smallest radius to, m; more finds no room."""
+
+    def __post_init__(self) -> None:
+        """Refuse a scheduler that does not exist."""
+        require_choice('training.curriculum.scheduler', self.scheduler, SCHEDULERS)
 
 
 @dataclasses.dataclass(frozen=True)

@@ -46,7 +46,7 @@ class Run:
         self.curriculum = None
         scenario = config.scenario
         if settings.curriculum.enabled:
-            self.curriculum = Curriculum(settings.curriculum, next_case=0)
+            self.curriculum = Curriculum(settings.curriculum, next_case=0, seed=config.seed)
             scenario = self.curriculum.scenario(scenario)
         self.simulator = Simulator(scenario, settings.worlds)
         self.policy = ValuePolicy(self.network, exploring_policy(config), settings.bfloat16)
@@ -80,7 +80,7 @@ class Run:
             return
         self.curriculum.window.record(*ended)
         if self.curriculum.advance(int(self.simulator.case_index.max()) + 1):
-            self.simulator.change_scenario(self.curriculum.scenario(self.config.scenario))
+            self.curriculum.apply(self.simulator, self.config.scenario)
 
     def sections(self) -> dict[str, Arrays]:
         """Return all that `restore` needs, part by part."""
@@ -112,7 +112,7 @@ class Run:
         self.episodes.set_state(sections['episodes'])
         if self.curriculum:
             self.curriculum.set_state(sections['curriculum'])
-            self.simulator.change_scenario(self.curriculum.scenario(self.config.scenario))
+            self.curriculum.apply(self.simulator, self.config.scenario)
         self.simulator.set_state(sections['simulator'])
         self.decision = Decision(**sections['decision'])
         counters = sections['counters']

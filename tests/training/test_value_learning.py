@@ -61,11 +61,16 @@ def test_resumed_run_ends_with_the_weights_of_an_uninterrupted_one(
     assert checkpoint_digest(tmp_path / 'cut') == checkpoint_digest(tmp_path / 'whole')
 
 
+@pytest.mark.parametrize('scheduler', ['smooth', 'baby_step', 'one_pass'])
 def test_resumed_curriculum_run_ends_with_the_weights_of_an_uninterrupted_one(
-    tiny_config, tmp_path, monkeypatch
+    tiny_config, tmp_path, monkeypatch, scheduler
 ):
     curriculum = dataclasses.replace(
-        tiny_config.training.curriculum, enabled=True, target_success=0.0, window=1
+        tiny_config.training.curriculum,
+        enabled=True,
+        scheduler=scheduler,
+        target_success=0.0,
+        window=1,
     )
     config = with_training(tiny_config, curriculum=curriculum, iterations=20)
     config = dataclasses.replace(
