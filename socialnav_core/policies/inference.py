@@ -53,12 +53,15 @@ class ValueInference:
         device = self._parameters[0].device
         with torch.inference_mode():
             forward = self._current_forward()
-            inputs = [torch.from_numpy(array).to(device) for array in (robot, others, mask)]
-            if device.type != 'cpu' or (rows <= FLOAT32_CHUNK and not low):
-                return _compute(forward, inputs, low).cpu().numpy()
+            inputs = [torch.from_numpy(array) for array in (robot, others, mask)]
+            if device.type != 'cpu':
+                moved = [tensor.to(device) for tensor in inputs]
+                return _compute(forward, moved, low).cpu().numpy()
+            if rows <= FLOAT32_CHUNK and not low:
+                return forward(*inputs).numpy()
             out = np.empty(rows, np.float32)
             for chunk in chunks(rows, low):
-                out[chunk] = _compute(forward, [array[chunk] for array in inputs], low).numpy()
+                out[chunk] = _compute(forward, [tensor[chunk] for tensor in inputs], low).numpy()
         return out
 
     def attention(self, seen: Observation) -> np.ndarray:
@@ -111,7 +114,5 @@ def _compute(
     forward: Callable[..., torch.Tensor], inputs: list[torch.Tensor], bfloat16: bool
 ) -> torch.Tensor:
     """Return the values of the inputs, float32 (rows,), with bfloat16 products where wanted."""
-    if not bfloat16:  # entering autocast costs as much as a layer of a single decision
-        return forward(*inputs)
-    with torch.autocast(inputs[0].device.type, torch.bfloat16):
+    with torch.autocast(inputs[0].device.type, torch.bfloat16, enabled=bfloat16):
         return forward(*inputs)

@@ -122,8 +122,8 @@ def _value(
     pooled = torch.bmm(weights[:, None], hidden).squeeze(1)  # (batch, 100)
     weight, bias = tensors.mlp2_output
     with full_precision(robot):
-        crowd = torch.mm(pooled.to(robot.dtype), weight)
-        crowd = crowd + mask.any(dim=1, keepdim=True) * bias
+        crowd = torch.addmm(bias, pooled.to(robot.dtype), weight)
+        crowd = crowd * mask.any(dim=1, keepdim=True)  # without agents not even the bias
         return scalar(torch.cat([robot, crowd], dim=1), tensors.value)
 
 
@@ -148,6 +148,6 @@ def _attend(
 
 def _pairs(robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor) -> torch.Tensor:
     """Return the features of each pair of robot and agent, shape (batch * agents, 13)."""
-    valid_others = others.masked_fill(~mask[:, :, None], 0.0)  # padding may hold anything
     robots = robot[:, None].expand(-1, others.shape[1], -1)
-    return torch.cat([robots, valid_others], dim=2).flatten(0, 1)
+    pairs = torch.cat([robots, others], dim=2)
+    return pairs.masked_fill_(~mask[:, :, None], 0.0).flatten(0, 1)  # padding may hold anything
