@@ -64,8 +64,8 @@ class Curriculum:
         """
         Return the level whose obstacles a case has, were it to begin now.
 
-        In baby steps it is any of the levels opened so far, all alike (Bengio et al. 2009,
-        Curriculum learning), otherwise the present one.
+        In baby steps it is any of the levels opened so far, all equally likely; otherwise the
+        present one.
 
         :param case: case index.
         """
