@@ -7,14 +7,14 @@ from socialnav_core.config import Config
 from socialnav_core.training import read_config
 
 QUICK = {
-    'scenario.time_limit': 12.0,
+    'scenario.time_limit': 16.0,
     'training.worlds': 8,
     'training.iterations': 2,
     'training.steps_per_iteration': 8,
     'training.updates_per_iteration': 2,
     'training.batch_size': 32,
     'training.replay_capacity': 2000,
-    'training.imitation.episodes': 8,
+    'training.imitation.episodes': 16,
     'training.imitation.epochs': 1,
 }
 """Changes that make a run take seconds; it learns nothing."""

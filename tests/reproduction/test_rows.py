@@ -2,12 +2,14 @@
 
 import pytest
 
+from socialnav_core.policies import OrcaPolicy
 from socialnav_core.policies.checkpoint import build_network
 from socialnav_core.reproduction.experiments import EXPERIMENTS
 from socialnav_core.reproduction.report_figures import PARAMETERS, REPORT, SAME_SYSTEM
 from socialnav_core.reproduction.rows import QUICK, REPORTED_RECIPE, ROWS
 from socialnav_core.settings import flatten, to_mapping
-from socialnav_core.simulation import make_scenario
+from socialnav_core.simulation import make_scenario, Simulator
+from socialnav_core.training.imitation import collect_demonstrations
 
 
 @pytest.mark.parametrize('name', ROWS)
@@ -49,6 +51,14 @@ def test_a_smoke_run_of_the_reports_recipe_ends_after_few_updates(name):
 def test_a_smoke_run_differs_by_the_quick_settings_alone():
     full, quick = (flatten(to_mapping(ROWS['sarl'].resolved(0, q))) for q in (False, True))
     assert {name for name in full if full[name] != quick[name]} == set(QUICK)
+
+
+@pytest.mark.parametrize('name', ['sarl', 'sarl_no_curriculum', 'sarl_no_curriculum_packed'])
+def test_a_smoke_run_has_demonstrations_to_imitate(name):
+    config = ROWS[name].resolved(0, quick=True)
+    episodes = config.training.imitation.episodes
+    found = collect_demonstrations(Simulator(config.scenario, episodes), OrcaPolicy(), episodes, 0)
+    assert len(found.returns)
 
 
 def test_figures_of_the_report_belong_to_rows_and_their_tests():
