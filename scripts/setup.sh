@@ -60,7 +60,7 @@ if [ -e "$stamp" ] && .venv/bin/python -c '' 2>/dev/null; then exit; fi
 
 PYTHON=$(find_python)
 [ -n "$PYTHON" ] || [ ! -x "$(command -v python3)" ] || fail "needs Python 3.11 or 3.12: install one, or $elsewhere"
-packages=$(missing_packages | xargs)
+packages=$(missing_packages)
 if [ -n "$packages" ]; then
     install_packages $packages
     PYTHON=$(find_python)
