@@ -46,7 +46,7 @@ install_packages() { # where that needs no question; else says what to type
 }
 
 declare -A source=([ros]='the sourced installation' [wheels]='wheels')
-elsewhere='use a machine (or an image) with Ubuntu 24.04 and ROS 2 Jazzy, sourced'
+elsewhere='use Ubuntu 24.04 with ROS 2 Jazzy sourced, or the image in docker/'
 [ "$(uname -s)" = Linux ] || fail "this is $(uname -s), the project runs on Linux: $elsewhere"
 [ "$ROUTE" = ros ] || [ "$(uname -m)" = x86_64 ] || fail "no ROS wheels for $(uname -m): $elsewhere"
 case $ROOT in *' '*) fail "ROS 2 does not build in a folder with a space in its path: $ROOT" ;; esac
