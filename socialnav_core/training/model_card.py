@@ -222,8 +222,23 @@ def limits(config: Config) -> str:
         'robot; people do neither.\n'
         f'- It was trained with {scenario.agents} agents and obstacles up to '
         f'{scenario.obstacle_radius_max:g} m of radius; more or larger ones are extrapolation.\n'
-        '- `constant_velocity` predicts that people walk straight on; `oracle` knows their next '
+        + unvaried_features(config)
+        + '- `constant_velocity` predicts that people walk straight on; `oracle` knows their next '
         'step, which no robot does.'
+    )
+
+
+def unvaried_features(config: Config) -> str:
+    """
+    Return the line on features that never varied, empty where their weights were left alone.
+
+    :param config: of the checkpoint.
+    """
+    if not config.training.fold_constant_features:
+        return ''
+    return (
+        '- The network ignores features that never varied in training, such as a radius common to '
+        'all; the collision test of the look-ahead still sees them.\n'
     )
 
 

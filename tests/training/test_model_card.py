@@ -75,3 +75,12 @@ def test_every_network_has_a_card(tiny_config, tmp_path, network):
     save_weights(tmp_path, initial_network(policy, seed=0), config)
     write_model_card(tmp_path)
     assert '4 heads' in (tmp_path / 'README.md').read_text()
+
+
+def test_card_says_whether_features_that_never_varied_are_ignored(tiny_config, tmp_path):
+    for fold in (True, False):
+        training = dataclasses.replace(tiny_config.training, fold_constant_features=fold)
+        config = dataclasses.replace(tiny_config, training=training)
+        save_weights(tmp_path, initial_network(config.policy, seed=0), config)
+        write_model_card(tmp_path)
+        assert ('never varied' in (tmp_path / 'README.md').read_text()) == fold
