@@ -109,10 +109,7 @@ class ReferenceWorld:
 
     def step(self, command: tuple[float, float]) -> tuple[list[tuple[float, ...]], float, bool]:
         """Advance by one step and return (observation, reward, whether the episode ended)."""
-        velocities = [
-            decider.decide(*self._split(i)) for i, decider in enumerate(self.deciders)
-        ] + [(0.0, 0.0)] * len(self.obstacles)
-        agents = self.pedestrians + self.obstacles
+        velocities, agents = self.velocities(), self.pedestrians + self.obstacles
         reward, ended = judge(self.robot, command, agents, velocities)
         self.robot.move(command)
         for agent, velocity in zip(agents, velocities, strict=True):
@@ -123,6 +120,12 @@ class ReferenceWorld:
                 pedestrian.goal_x, pedestrian.goal_y = self._free_goal()
         self.time += TIME_STEP
         return self.observation(), reward, ended or self.time >= TIME_LIMIT
+
+    def velocities(self) -> list[tuple[float, float]]:
+        """Return what all agents will do in the coming step."""
+        return [decider.decide(*self._split(i)) for i, decider in enumerate(self.deciders)] + [
+            (0.0, 0.0)
+        ] * len(self.obstacles)
 
     def observation(self) -> list[tuple[float, ...]]:
         """Return (x, y, vx, vy, radius) of every other agent."""
@@ -240,13 +243,21 @@ def features(robot: Disc, agents: Sequence[Disc]) -> tuple[list[float], list[lis
 
 
 def decide(
-    network: nn.Module, robot: Disc, agents: Sequence[Disc], actions: Sequence[tuple[float, float]]
+    network: nn.Module, world: ReferenceWorld, actions: Sequence[tuple[float, float]], oracle: bool
 ) -> tuple[float, float]:
-    """Return the action of the greatest one-step look-ahead value; agents keep their velocity."""
+    """
+    Return the action of the greatest one-step look-ahead value.
+
+    With the oracle the world is asked for each action what its agents will do, as published code
+    asks its environment; otherwise agents keep their velocity.
+    """
+    robot, agents = world.robot, world.pedestrians + world.obstacles
     best_value, best_action = -math.inf, actions[0]
     velocities = [(agent.velocity_x, agent.velocity_y) for agent in agents]
     discount = DISCOUNT ** (TIME_STEP * robot.speed)
     for action in actions:
+        if oracle:
+            velocities = world.velocities()
         reward, ended = judge(robot, action, agents, velocities)
         value = reward
         if not ended:
@@ -275,7 +286,11 @@ def action_set(speeds: int, headings: int) -> list[tuple[float, float]]:
 
 
 def reference_decision_seconds(
-    network: nn.Module, actions: Sequence[tuple[float, float]], agents: int, repeats: int = 50
+    network: nn.Module,
+    actions: Sequence[tuple[float, float]],
+    agents: int,
+    repeats: int = 50,
+    oracle: bool = False,
 ) -> np.ndarray:
     """
     Return the seconds that each of some decisions takes the reference, shape (repeats,).
@@ -284,13 +299,14 @@ def reference_decision_seconds(
     :param actions: Velocities to choose from, m/s, as of action_set.
     :param agents: Number of pedestrians around the robot.
     :param repeats: Number of decisions, in one episode after the other, after a first unmeasured.
+    :param oracle: Whether the pedestrians' next step is known; else they keep their velocity.
     """
     world, ended, durations = ReferenceWorld(agents, 0), True, []
     for _ in range(repeats + 1):
         if ended:
             world.reset()
         start = time.perf_counter()
-        action = decide(network, world.robot, world.pedestrians, actions)
+        action = decide(network, world, actions, oracle)
         durations.append(time.perf_counter() - start)
         _, _, ended = world.step(action)
     return np.array(durations[1:])

@@ -8,13 +8,13 @@ import torch
 from torch import nn
 
 from socialnav_core.benchmarking.measurement import in_turns, Measurement
-from socialnav_core.config import PolicyConfig, Scenario
+from socialnav_core.config import LOOKAHEADS, PolicyConfig, Scenario
 from socialnav_core.policies import build_network, ValuePolicy
 from socialnav_core.simulation import Simulator
 
 REPEATS, REFERENCE_REPEATS, WARM_UP = 200, 5, 20
-ROUNDS = 7
-NETWORKS = {'sarl': 'SARL', 'gat4sn': 'GAT4SN (4 heads)'}
+ROUNDS = 5
+NETWORKS = {'sarl': 'SARL', 'gat4sn': 'GAT4SN (4)'}
 SETTINGS = ((10, 2, 8), (20, 5, 16))
 """Pedestrians, speeds and headings."""
 
@@ -25,11 +25,16 @@ def lookahead_measurements(reference: Any) -> list[Measurement]:
 
     :param reference: the plain reference, or None.
     """
-    return [decision(network, *setting, reference) for setting in SETTINGS for network in NETWORKS]
+    return [
+        decision(network, *setting, lookahead, reference)
+        for setting in SETTINGS
+        for lookahead in LOOKAHEADS
+        for network in NETWORKS
+    ]
 
 
 def decision(
-    name: str, pedestrians: int, speeds: int, headings: int, reference: Any
+    name: str, pedestrians: int, speeds: int, headings: int, lookahead: str, reference: Any
 ) -> Measurement:
     """
     Return how long a decision takes, its median and its 99th percentile.
@@ -38,9 +43,10 @@ def decision(
     :param pedestrians: number of people around the robot.
     :param speeds: of the action set.
     :param headings: of the action set.
+    :param lookahead: prediction of the pedestrians; the oracle's time is part of the decision.
     :param reference: the plain reference, or None.
     """
-    config = PolicyConfig(network=name, speeds=speeds, headings=headings)
+    config = PolicyConfig(network=name, speeds=speeds, headings=headings, lookahead=lookahead)
     torch.manual_seed(0)
     network = build_network(config).eval()
     times: list[np.ndarray] = []
@@ -52,14 +58,14 @@ def decision(
     def plain_rate() -> float:
         actions = reference.action_set(speeds, headings)
         seconds = reference.reference_decision_seconds(
-            network, actions, pedestrians, REFERENCE_REPEATS
+            network, actions, pedestrians, REFERENCE_REPEATS, lookahead == 'oracle'
         )
         return 1 / float(np.median(seconds))
 
     value, plain, ratio = in_turns(rate, plain_rate if reference else None, ROUNDS)
     actions = speeds * headings + 1
     return Measurement(
-        f'decision of {NETWORKS[name]}, {actions} actions, {pedestrians} agents',
+        f'{NETWORKS[name]}, {actions} actions, {pedestrians} agents, {lookahead}',
         1000 / value,
         'ms',
         reference=1000 / plain if plain else None,
@@ -78,6 +84,7 @@ def decision_seconds(network: nn.Module, config: PolicyConfig, pedestrians: int)
     """
     simulator = Simulator(Scenario('benchmark', pedestrians=pedestrians, obstacles=0))
     policy, state = ValuePolicy(network, config), simulator.reset()
+    policy.oracle = simulator.next_agent_velocities
     seconds = np.empty(WARM_UP + REPEATS)
     for i in range(len(seconds)):
         started = time.perf_counter()
