@@ -13,10 +13,12 @@ from socialnav.conversions import ConversionError, crowd_state, nearest_agents, 
 from socialnav.extrapolation import extrapolate
 from socialnav.inputs import Inputs
 from socialnav.runs import Run
+from socialnav.tally import Tally
 from socialnav_core.policies import Policy
 from socialnav_core.states import CrowdState
 
 ARRIVED = 'goal reached'
+NO_GOAL = 'no goal_pose'
 STALLED = 'no decision any more: the clock has stopped or the decision hangs'
 NO_COMMAND = np.zeros(2)
 
@@ -53,6 +55,7 @@ class Controller:
         """
         self.settings = settings
         self.goal_reached = False
+        self.tally = Tally()
         self._policy = policy
         self._steady = steady
         self._inputs = Inputs()
@@ -69,6 +72,18 @@ class Controller:
         :param message: of that topic.
         """
         self._inputs.store(name, message)
+
+    def cancel_goal(self) -> bool:
+        """Forget the goal, so that the robot stands; return whether there was one."""
+        return self._inputs.cancel_goal()
+
+    def input_ages(self, now: int) -> dict[str, float]:
+        """
+        Return how old each input is that has come, s.
+
+        :param now: ns, on the clock of the stamps.
+        """
+        return self._inputs.ages(now)
 
     def take_complete_state(self) -> bool:
         """Return whether a whole state of a world in lockstep waits for its decision."""
@@ -144,19 +159,30 @@ class Controller:
             return NO_COMMAND, f'the decision failed: {type(error).__name__}: {error}'
         elapsed = self._steady() - began
         self._latency = min(elapsed, self.settings.period)
+        self.tally.decisions += 1
+        self.tally.decision_time = elapsed
         if not self.settings.lockstep and elapsed > self.settings.period:
+            self.tally.late += 1
             return NO_COMMAND, f'the decision took {elapsed:.2f} s, longer than a period'
         if not np.isfinite(command).all():
             return NO_COMMAND, f'the policy chose {command.tolist()}, which is no velocity'
-        return self._executable(command, state), None
+        executable = self._executable(command, state)
+        self.tally.clamped += not np.allclose(executable, command, rtol=0, atol=1e-9)
+        return self._in_base_frame(executable, state), None
 
     def _executable(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
-        """Return a command of the policy as the robot takes it."""
+        """Return a command of the policy within the limits."""
         limits, period = self.settings.limits, self.settings.period
         heading, velocity = float(state.robot_heading[0]), state.robot_velocity[0]
         if self.settings.kinematics == 'differential':
             return clamp_differential(command, rotate(velocity, -heading)[0], limits, period)
-        return rotate(clamp_holonomic(command, velocity, limits, period), -heading)
+        return clamp_holonomic(command, velocity, limits, period)
+
+    def _in_base_frame(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
+        """Return a command as the robot takes it."""
+        if self.settings.kinematics == 'differential':
+            return command
+        return rotate(command, -float(state.robot_heading[0]))
 
     def _to_be_published(self, reason: str | None) -> bool:
         """Return whether a decision is worth a message; count how long the robot has stood."""
