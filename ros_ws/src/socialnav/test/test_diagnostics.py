@@ -4,8 +4,8 @@ from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import Twist
 from managed import change_state
 import pytest
+from robot import drives, speed
 from std_srvs.srv import Trigger
-from test_managed_node import drives, speed
 
 from socialnav import qos
 

@@ -1,6 +1,5 @@
 """Laws of the policy node as a managed node, over the middleware."""
 
-import math
 import signal
 
 from geometry_msgs.msg import Twist
@@ -8,6 +7,7 @@ from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState
 from managed import change_parameter, change_state, state_of
 import pytest
+from robot import drives, speed
 
 from socialnav import qos
 from socialnav_core.config import Config
@@ -18,22 +18,11 @@ from socialnav_core.simulation import make_scenario
 TEXT, DOUBLE = 4, 3
 
 
-def speed(twist):
-    """Return the speed of a command."""
-    return math.hypot(twist.linear.x, twist.linear.y)
-
-
 @pytest.fixture
 def commands(graph):
     """Return the commands of a robot that is about to drive in a simulated crowd."""
     graph.start('simulator_node')
     return graph.listen(Twist, 'cmd_vel', qos.COMMAND)
-
-
-def drives(graph, commands):
-    """Wait until new commands make the robot move."""
-    commands.clear()
-    graph.wait(lambda: commands and speed(commands[-1]) > 0.1, 'motion')
 
 
 def end(graph, process, number=signal.SIGINT):
