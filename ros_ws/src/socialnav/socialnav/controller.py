@@ -7,19 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from socialnav.clamping import clamp_differential, clamp_holonomic
 from socialnav.controller_settings import ControllerSettings
 from socialnav.conversions import ConversionError, crowd_state, nearest_agents, rotate
 from socialnav.extrapolation import extrapolate
 from socialnav.inputs import Inputs
+from socialnav.reasons import ARRIVED, STALLED
 from socialnav.runs import Run
 from socialnav.tally import Tally
-from socialnav_core.policies import Policy
+from socialnav_core.policies import Policy, ValuePolicy
+from socialnav_core.simulation.limits import present_command, reachable
 from socialnav_core.states import CrowdState
 
-ARRIVED = 'goal reached'
-NO_GOAL = 'no goal_pose'
-STALLED = 'no decision any more: the clock has stopped or the decision hangs'
 NO_COMMAND = np.zeros(2)
 
 
@@ -150,6 +148,8 @@ class Controller:
 
     def _drive(self, state: CrowdState) -> tuple[np.ndarray, str | None]:
         """Return the command that the policy chooses, within the limits."""
+        if isinstance(self._policy, ValuePolicy):  # others choose freely and are clamped
+            self._policy.limits = self.settings.limits
         began = self._steady()
         try:
             command = np.asarray(self._policy.act(state)[0], dtype=float)
@@ -171,12 +171,10 @@ class Controller:
         return self._in_base_frame(executable, state), None
 
     def _executable(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
-        """Return a command of the policy within the limits."""
-        limits, period = self.settings.limits, self.settings.period
-        heading, velocity = float(state.robot_heading[0]), state.robot_velocity[0]
-        if self.settings.kinematics == 'differential':
-            return clamp_differential(command, rotate(velocity, -heading)[0], limits, period)
-        return clamp_holonomic(command, velocity, limits, period)
+        """Return a command of the policy within the limits, where it should be already."""
+        settings = self.settings
+        present = present_command(settings.kinematics, state)[0]
+        return reachable(settings.kinematics, command, present, settings.limits, settings.period)
 
     def _in_base_frame(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
         """Return a command as the robot takes it."""

@@ -2,7 +2,7 @@
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 
-from socialnav.controller import ARRIVED, NO_GOAL, STALLED
+from socialnav.reasons import ARRIVED, NO_GOAL, STALLED
 from socialnav.stamps import header_message
 from socialnav.tally import Tally
 

@@ -14,18 +14,17 @@ from std_srvs.srv import Trigger
 
 from socialnav import qos
 from socialnav.commands import stamped_twist_message, twist_message
-from socialnav.controller import ARRIVED, Controller, Decision, NO_COMMAND
+from socialnav.controller import Controller, Decision, NO_COMMAND
 from socialnav.controller_settings import controller_settings
 from socialnav.diagnostics import controller_facts
 from socialnav.models import ready_policy
 from socialnav.parameters import fixed_values, POLICY_PARAMETERS
+from socialnav.reasons import ARRIVED, UNDECIDED
 from socialnav.watchdog import Watchdog
 from socialnav_msgs.msg import AgentStates
 
 LAST_WORD = Duration(nanoseconds=500_000_000)
 """How long the driver waits at its end for the last command to arrive."""
-
-UNDECIDED = 'no decision yet'
 
 
 class Driver:
