@@ -35,6 +35,16 @@ class Decision:
     """Time of the state that is answered, ns."""
 
 
+@dataclasses.dataclass(frozen=True)
+class Intention:
+    """What the latest decision was about."""
+
+    state: CrowdState
+    """The world when the command takes effect, batch of one."""
+    command: np.ndarray
+    """(vx, vy) in the world frame, m/s, or speed and turn rate, (2,)."""
+
+
 class Controller:
     """Holds what is known and decides; one caller at a time."""
 
@@ -54,6 +64,7 @@ class Controller:
         self.settings = settings
         self.goal_reached = False
         self.tally = Tally()
+        self.intention: Intention | None = None
         self._policy = policy
         self._steady = steady
         self._inputs = Inputs()
@@ -83,6 +94,12 @@ class Controller:
         """
         return self._inputs.ages(now)
 
+    def attention(self) -> np.ndarray | None:
+        """Return how much the policy looked at each agent, (agents,); None where it does not."""
+        if self.intention is None or not isinstance(self._policy, ValuePolicy):
+            return None
+        return self._policy.attention(self.intention.state)[0]
+
     def take_complete_state(self) -> bool:
         """Return whether a whole state of a world in lockstep waits for its decision."""
         return self._inputs.take_complete_state()
@@ -106,6 +123,7 @@ class Controller:
 
     def _choose(self, now: int) -> tuple[np.ndarray, str | None]:
         """Return a command and, where it is zero for want of something, the reason."""
+        self.intention = None
         reason = self._inputs.complaint(now, self.settings)
         if reason is not None:
             return NO_COMMAND, reason
@@ -167,6 +185,7 @@ class Controller:
         if not np.isfinite(command).all():
             return NO_COMMAND, f'the policy chose {command.tolist()}, which is no velocity'
         executable = self._executable(command, state)
+        self.intention = Intention(state, executable)
         self.tally.clamped += not np.allclose(executable, command, rtol=0, atol=1e-9)
         return self._in_base_frame(executable, state), None
 

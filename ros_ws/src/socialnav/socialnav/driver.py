@@ -1,30 +1,24 @@
-"""The topics of the policy node: inputs are stored, decisions published."""
+"""What a configured policy node does: inputs are stored, the timer decides."""
 
 from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
+from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Odometry
-from rclpy.duration import Duration
 from rclpy.lifecycle import LifecycleNode
 from rclpy.timer import Timer
-from std_msgs.msg import Bool
 from std_srvs.srv import Trigger
 
 from socialnav import qos
-from socialnav.commands import stamped_twist_message, twist_message
-from socialnav.controller import Controller, Decision, NO_COMMAND
+from socialnav.controller import Controller
 from socialnav.controller_settings import controller_settings
 from socialnav.diagnostics import controller_facts
 from socialnav.models import ready_policy
 from socialnav.parameters import fixed_values, POLICY_PARAMETERS
-from socialnav.reasons import ARRIVED, UNDECIDED
+from socialnav.policy_outputs import PolicyOutputs
 from socialnav.watchdog import Watchdog
 from socialnav_msgs.msg import AgentStates
-
-LAST_WORD = Duration(nanoseconds=500_000_000)
-"""How long the driver waits at its end for the last command to arrive."""
 
 
 class Driver:
@@ -45,22 +39,12 @@ class Driver:
         settings = controller_settings(values)
         self.controller = Controller(ready_policy(values, settings), settings)
         self.running = False
-        self.reason: str | None = UNDECIDED
-        self.goal_reached: bool | None = None
         self.lockstep = settings.lockstep
-        self.stamped = settings.lockstep or values['enable_stamped_cmd_vel']
         self.node = node
-        self.on_change = on_change
         self.timer: Timer | None = None
         self.watchdog: Watchdog | None = None
-        self.create_outputs()
+        self.outputs = PolicyOutputs(node, self.controller, values, on_change)
         self.create_inputs()
-
-    def create_outputs(self) -> None:
-        """Make the publishers; they are silent unless the node is active."""
-        create = self.node.create_lifecycle_publisher
-        self.commands = create(TwistStamped if self.stamped else Twist, 'cmd_vel', qos.COMMAND)
-        self.arrivals = create(Bool, '~/goal_reached', qos.GOAL_REACHED)
 
     def create_inputs(self) -> None:
         """Make the subscriptions."""
@@ -84,7 +68,7 @@ class Driver:
         """
         self.use(values)
         self.running = True
-        self.reason, self.goal_reached = UNDECIDED, None
+        self.outputs.begin()
         if not self.lockstep:
             settings = self.controller.settings
             self.timer = self.node.create_timer(settings.period, self.on_tick)
@@ -109,16 +93,14 @@ class Driver:
             self.watchdog.stop()
             self.node.destroy_timer(self.timer)
             self.watchdog = None
-        self.send(Decision(NO_COMMAND))
-        self.commands.wait_for_all_acked(LAST_WORD)
+        self.outputs.end()
 
     def close(self) -> None:
         """Stop the robot and give up all topics."""
         self.stop()
         for subscription in self.subscriptions:
             self.node.destroy_subscription(subscription)
-        for publisher in (self.commands, self.arrivals):
-            self.node.destroy_lifecycle_publisher(publisher)
+        self.outputs.close()
         self.node.destroy_service(self.cancelling)
 
     def on_input(self, name: str, message: Odometry | AgentStates | PoseStamped) -> None:
@@ -149,55 +131,15 @@ class Driver:
         """Decide, unless this tick was on its way when the driver stopped."""
         if not self.running:
             return
-        self.publish(self.controller.decide(self.node.get_clock().now().nanoseconds))
+        self.outputs.publish(self.controller.decide(self.node.get_clock().now().nanoseconds))
         if self.watchdog is not None:
             self.watchdog.feed()
 
     def on_stall(self) -> None:
         """Stop the robot, in the watchdog's thread, while nothing else can."""
-        self.publish(self.controller.stall())
-
-    def publish(self, decision: Decision) -> None:
-        """
-        Publish a command, and say why the robot stands.
-
-        :param decision: the command and its reason.
-        """
-        if decision.publish:
-            self.send(decision)
-        self.report(decision.reason)
-        if self.goal_reached != self.controller.goal_reached:
-            self.goal_reached = self.controller.goal_reached
-            self.arrivals.publish(Bool(data=self.goal_reached))
-
-    def report(self, reason: str | None) -> None:
-        """
-        Say why the robot stands, when that changes.
-
-        :param reason: None while it drives.
-        """
-        if reason == ARRIVED != self.reason:
-            self.node.get_logger().info(reason)
-        elif reason not in (None, self.reason):
-            self.node.get_logger().warning(f'standing: {reason}', throttle_duration_sec=1.0)
-        if reason != self.reason:
-            self.reason = reason
-            self.on_change()
+        self.outputs.publish(self.controller.stall())
 
     def facts(self) -> dict[str, str]:
         """Return what diagnostics tell."""
         ages = self.controller.input_ages(self.node.get_clock().now().nanoseconds)
         return controller_facts(self.made_for['model'], ages, self.controller.tally)
-
-    def send(self, decision: Decision) -> None:
-        """
-        Publish a command as the type that is wanted.
-
-        :param decision: the command and, in lockstep, the state that it answers.
-        """
-        message = twist_message(decision.command, self.controller.settings.kinematics)
-        if self.stamped:
-            now = self.node.get_clock().now().nanoseconds
-            stamp = decision.stamp if self.lockstep else now
-            message = stamped_twist_message(message, stamp, self.made_for['base_frame'])
-        self.commands.publish(message)

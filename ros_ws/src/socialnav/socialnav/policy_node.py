@@ -135,7 +135,7 @@ class PolicyNode(LifecycleNode):
 
     def diagnose(self) -> None:
         """Publish how the node is."""
-        reason = self.problem if not self.drives() else self.driver.reason
+        reason = self.problem if not self.drives() else self.driver.outputs.reason
         facts = {} if self.driver is None else self.driver.facts()
         now = self.get_clock().now().nanoseconds
         name = self.get_name()
