@@ -60,7 +60,7 @@ if [ -e "$stamp" ] && .venv/bin/python -c '' 2>/dev/null; then exit; fi
 
 PYTHON=$(find_python)
 [ -n "$PYTHON" ] || [ ! -x "$(command -v python3)" ] || fail "needs Python 3.11 or 3.12: install one, or $elsewhere"
-packages=$(missing_packages | xargs)
+packages=$(missing_packages)
 if [ -n "$packages" ]; then
     install_packages $packages
     PYTHON=$(find_python)
@@ -86,8 +86,10 @@ say 'installing the other packages'
 files=(base dev colcon)
 [ "$ROUTE" = ros ] || files+=(ros-jazzy)
 pip $(printf -- '-r requirements/%s.txt ' "${files[@]}")
-if [ "$ROUTE" = ros ]; then
-    printf 'export PATH="%s:$PATH"\n' "$ROOT/.venv/bin" | tee .venv/setup.{sh,bash,zsh} >/dev/null
+if [ "$ROUTE" = ros ]; then # the same file to source; CMake takes the same Python as colcon
+    printf "build: {cmake-args: ['-DPython3_EXECUTABLE=%s']}\n" "$ROOT/.venv/bin/python" >.venv/colcon_defaults.yaml
+    printf 'export PATH="%s/bin:$PATH" COLCON_DEFAULTS_FILE="%s/colcon_defaults.yaml"\n' "$ROOT/.venv" "$ROOT/.venv" |
+        tee .venv/setup.{sh,bash,zsh} >/dev/null
 else
     .venv/bin/python ros_ws/wheels/install_setup_files.py .venv
 fi

@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 from typing import Any
 
-from numba import config, njit
+import numba
 
 PACKAGE = Path(__file__).parent
 
@@ -22,12 +22,13 @@ def compiled(function: Callable[..., Any]) -> Any:
 
     :param function: of numbers and arrays.
     """
-    before = config.CACHE_DIR
-    config.CACHE_DIR = str(cache_folder())
+    settings: Any = numba.config
+    before = settings.CACHE_DIR
+    settings.CACHE_DIR = str(cache_folder())
     try:
-        return njit(cache=True, nogil=True, error_model='numpy')(function)
+        return numba.njit(cache=True, nogil=True, error_model='numpy')(function)
     finally:
-        config.CACHE_DIR = before
+        settings.CACHE_DIR = before
 
 
 @functools.cache

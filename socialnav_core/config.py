@@ -5,11 +5,12 @@ import math
 
 from socialnav_core.settings import ConfigError as ConfigError
 from socialnav_core.settings import require, require_choice
+from socialnav_core.training_config import CurriculumConfig as CurriculumConfig
+from socialnav_core.training_config import ImitationConfig as ImitationConfig
+from socialnav_core.training_config import LOOKAHEADS, TrainingConfig
 
 KINEMATICS = ('holonomic', 'differential')
 NETWORKS = ('sarl', 'gat4sn', 'gat4sn_linear', 'gat4sn_v2')
-DEVICES = ('cpu', 'cuda')
-LOOKAHEADS = ('constant_velocity', 'oracle')
 POSITIVE_SCENARIO_FIELDS = (
     'spawn_half_width', 'circle_radius', 'minimum_travel', 'bounds', 'pedestrian_radius',
     'pedestrian_speed', 'robot_radius', 'robot_preferred_speed', 'goal_tolerance', 'time_step',
@@ -186,104 +187,6 @@ class PolicyConfig:
         require_choice('lookahead', self.lookahead, LOOKAHEADS)
         require(self.heads >= 1, 'policy.heads must be at least 1')
         require(self.speeds >= 1 and self.headings >= 1, 'policy: the action set is empty')
-
-
-@dataclasses.dataclass(frozen=True)
-class ImitationConfig:
-    """Regression of the value network on the returns of an ORCA robot."""
-
-    episodes: int = 1500
-    """Number of demonstrations."""
-    safety_space: float = 0.15
-    """Added to every radius by the demonstrator, m."""
-    epochs: int = 3
-    """Passes over the demonstrations."""
-    batch_size: int = 256
-    """States per update."""
-    learning_rate: float = 1e-3
-    """Learning rate of Adam at the start."""
-    final_learning_rate: float = 1e-4
-    """Learning rate at the end, reached exponentially."""
-
-
-@dataclasses.dataclass(frozen=True)
-class CurriculumConfig:
-    """Obstacles that grow with success."""
-
-    enabled: bool = False
-    """Whether the curriculum is used; otherwise the scenario stays as it is."""
-    start_radius: float = 0.3
-    """Largest obstacle radius of the first level, m."""
-    radius_step: float = 0.2
-    """Added at each level, m."""
-    final_radius: float = 2.5
-    """Largest obstacle radius of the last level, m."""
-    target_success: float = 0.7
-    """Success rate over the window that opens the next level."""
-    window: int = 50
-    """Number of the latest episodes begun at a level that are counted."""
-
-
-@dataclasses.dataclass(frozen=True)
-class TrainingConfig:
-    """Value learning after imitation."""
-
-    worlds: int = 128
-    """Worlds simulated side by side."""
-    iterations: int = 100
-    """Rounds of collection and updates."""
-    steps_per_iteration: int = 16
-    """Steps of each world in one iteration."""
-    updates_per_iteration: int = 24
-    """Gradient updates in one iteration."""
-    batch_size: int = 512
-    """States per update."""
-    replay_capacity: int = 60000
-    """States kept for replay; half of it holds demonstrations at the start."""
-    learning_rate: float = 1e-3
-    """Learning rate of Adam at the start."""
-    final_learning_rate: float = 1e-4
-    """Learning rate at the end."""
-    decay_start: float = 0.3
-    """Share of the run after which the learning rate falls exponentially."""
-    gradient_clip: float = 1.0
-    """Largest norm of the gradient."""
-    trace_decay: float = 0.7
-    """Lambda of Watkins' Q(lambda) targets."""
-    epsilon_start: float = 0.3
-    """Share of random actions at the start."""
-    epsilon_end: float = 0.05
-    """Share of random actions from epsilon_share on."""
-    epsilon_share: float = 0.5
-    """Share of the run over which epsilon falls linearly."""
-    lookahead: str = 'oracle'
-    """Prediction of the pedestrians while training: oracle or constant_velocity."""
-    device: str = 'cpu'
-    """Where the network is computed: cpu or cuda; another device gives other weights."""
-    bfloat16: bool = True
-    """Whether products are in bfloat16 where the processor has it; weights stay float32."""
-    fold_constant_features: bool = True
-    """Whether the saved network ignores features that never varied in training."""
-    checkpoint_iterations: int = 10
-    """Iterations between two saved states."""
-    imitation: ImitationConfig = ImitationConfig()
-    """What comes first."""
-    curriculum: CurriculumConfig = CurriculumConfig()
-    """Growth of the obstacles."""
-
-    def __post_init__(self) -> None:
-        """Refuse values with which nothing can be learned."""
-        require_choice('training.lookahead', self.lookahead, LOOKAHEADS)
-        require_choice('training.device', self.device, DEVICES)
-        for name in POSITIVE_TRAINING_FIELDS:
-            require(getattr(self, name) > 0, f'training.{name} must be positive')
-        require(0 <= self.trace_decay <= 1, 'training.trace_decay must lie in [0, 1]')
-
-
-POSITIVE_TRAINING_FIELDS = (
-    'worlds', 'iterations', 'steps_per_iteration', 'batch_size', 'replay_capacity',
-    'learning_rate', 'final_learning_rate', 'gradient_clip', 'checkpoint_iterations',
-)  # fmt: skip
 
 
 @dataclasses.dataclass(frozen=True)

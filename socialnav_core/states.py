@@ -54,7 +54,7 @@ class CrowdState:
 
     def copy(self) -> 'CrowdState':
         """Return a state that shares no memory with this one."""
-        return self.map(np.copy)
+        return CrowdState(*[getattr(self, name).copy() for name in CROWD_STATE_FIELDS])
 
     def select(self, worlds: np.ndarray) -> 'CrowdState':
         """

@@ -2,7 +2,9 @@
 
 import os
 from pathlib import Path
+import shutil
 import subprocess
+import sys
 
 import pytest
 
@@ -66,3 +68,24 @@ def test_a_machine_without_wheels_is_told_in_one_line_what_to_use(tmp_path, opti
     assert answer in result.stderr
     assert 'Ubuntu 24.04' in result.stderr
     assert result.stderr.count('\n') == 1
+
+
+def test_without_permission_to_install_the_line_to_type_is_printed(tmp_path):
+    for folder in ('requirements', 'scripts'):
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    for name in ('setup.py', 'ros_ws/wheels/install_setup_files.py'):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, tmp_path / name)
+    tools = tmp_path / 'tools'
+    tools.mkdir()
+    for name in ('bash', 'cat', 'cut', 'dirname', 'flock', 'make', 'sha256sum', 'tr', 'uname'):
+        (tools / name).symlink_to(shutil.which(name))
+    (tools / 'python3').symlink_to(Path(sys.executable).resolve())
+    for name, answer in (('id', 'echo 1000'), ('apt-get', 'exit 9'), ('cmake', 'exit 9')):
+        (tools / name).write_text(f'#!/bin/sh\n{answer}\n')
+        (tools / name).chmod(0o755)
+    result = shell(f'{tmp_path}/scripts/setup.sh', PATH=str(tools))
+    assert result.returncode == 1
+    assert result.stderr.count('\n') == 1
+    assert 'sudo apt-get install -y g++' in result.stderr
+    assert not (tmp_path / '.venv').exists()

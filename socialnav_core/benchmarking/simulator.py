@@ -8,7 +8,7 @@ from socialnav_core.config import Scenario
 from socialnav_core.policies import StraightLinePolicy
 from socialnav_core.simulation import make_scenario, Simulator
 
-WORLDS = 512
+WORLDS = 1024
 ROUNDS = 9
 SECONDS = 0.35
 

@@ -43,7 +43,7 @@ def add_parser(commands: Any) -> None:
         '--jobs', type=positive_number, default=1, metavar='N', help='processes side by side (1)'
     )
     parser.add_argument(
-        '--device', choices=('cpu', 'cuda'), default='cpu', help='where networks run (cpu)'
+        '--device', choices=('cpu', 'cuda'), default='cpu', help='where networks are trained (cpu)'
     )
     parser.add_argument(
         '--no-train', action='store_true', help='measure and write only; all must be trained'

@@ -1,10 +1,21 @@
 """GAT4SN: the value network with graph attention of the project's report."""
 
+from collections.abc import Callable
+from functools import partial
+from typing import NamedTuple
+
 import torch
 from torch import nn
 from torch.nn import functional
 
-from socialnav_core.policies.graph_attention import GraphAttention
+from socialnav_core.policies.graph_attention import attend, AttentionTensors, GraphAttention
+from socialnav_core.policies.perceptron import (
+    full_precision,
+    Layer,
+    linear_layers,
+    rectified,
+    scalar,
+)
 
 
 class Gat4snValueNetwork(nn.Module):
@@ -57,10 +68,7 @@ class Gat4snValueNetwork(nn.Module):
         :param others: the other agents' features, ignored where invalid, shape (batch, agents, 7).
         :param mask: true where an agent exists, bool, shape (batch, agents).
         """
-        robot_row, other_rows, _ = self._attend(robot, others, mask)
-        # Rows of invalid agents are zero, and ELU keeps them so.
-        crowd = functional.elu(other_rows).sum(dim=1)
-        return self.value(torch.cat([functional.elu(robot_row), crowd], dim=1)).squeeze(1)
+        return _value(self._tensors(), robot, others, mask)
 
     def attention_weights(
         self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
@@ -75,14 +83,54 @@ class Gat4snValueNetwork(nn.Module):
         :param others: the other agents' features, shape (batch, agents, 7).
         :param mask: true where an agent exists, bool, shape (batch, agents).
         """
-        return self._attend(robot, others, mask)[2].squeeze(1)
+        return _attend(self._tensors(), robot, others, mask)[2].squeeze(1)
 
-    def _attend(
-        self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
-    ) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
-        """Return what the output attention returns: robot's row, agents' rows and weights."""
-        valid_others = others.masked_fill(~mask[:, :, None], 0.0)  # padding may hold anything
-        robot_row = self.robot_mlp(robot)  # once per sample, not once per pair
-        other_rows = self.other_mlp(valid_others)
-        robot_row, other_rows, _ = self.hidden_attention(robot_row, other_rows, mask)
-        return self.output_attention(functional.elu(robot_row), functional.elu(other_rows), mask)
+    def prepared(self) -> Callable[..., torch.Tensor]:
+        """Return `forward` with the parameters looked up; it sees changes made in place."""
+        return partial(_value, self._tensors())
+
+    def _tensors(self) -> '_Tensors':
+        """Return views of all parameters."""
+        return _Tensors(
+            robot_mlp=linear_layers(self.robot_mlp),
+            other_mlp=linear_layers(self.other_mlp),
+            hidden_attention=self.hidden_attention.tensors(),
+            output_attention=self.output_attention.tensors(),
+            value=linear_layers(self.value),
+        )
+
+
+class _Tensors(NamedTuple):
+    """The parameters as the equations use them."""
+
+    robot_mlp: list[Layer]
+    other_mlp: list[Layer]
+    hidden_attention: AttentionTensors
+    output_attention: AttentionTensors
+    value: list[Layer]
+
+
+def _value(
+    tensors: _Tensors, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
+) -> torch.Tensor:
+    """Return the value of each sample, shape (batch,)."""
+    robot_row, other_rows, _ = _attend(tensors, robot, others, mask)
+    # Rows of invalid agents are zero, and ELU keeps them so.
+    crowd = functional.elu_(other_rows).sum(dim=1)
+    graph = torch.cat([functional.elu_(robot_row), crowd], dim=1).to(robot.dtype)
+    with full_precision(robot):
+        return scalar(graph, tensors.value)
+
+
+def _attend(
+    tensors: _Tensors, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
+) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
+    """Return what the output attention returns: robot's row, agents' rows and weights."""
+    valid_others = others.masked_fill(~mask[:, :, None], 0.0)  # padding may hold anything
+    robot_row = rectified(robot, tensors.robot_mlp)  # once per sample, not once per pair
+    other_rows = rectified(valid_others.flatten(0, 1), tensors.other_mlp)
+    robot_row, other_rows, _ = attend(
+        tensors.hidden_attention, robot_row, other_rows.view(*mask.shape, 50), mask
+    )
+    robot_row, other_rows = functional.elu_(robot_row), functional.elu_(other_rows)
+    return attend(tensors.output_attention, robot_row, other_rows, mask)

@@ -1,5 +1,7 @@
 """The masked dense graph-attention layer between the robot and the agents around it."""
 
+from typing import NamedTuple
+
 import torch
 from torch import nn
 from torch.nn import functional
@@ -83,31 +85,72 @@ class GraphAttention(nn.Module):
         :param mask: true where an agent exists, bool, shape (batch, agents).
         :returns: the three tensors described above.
         """
-        heads, output_size, _ = self.weight.shape
-        projection = self.weight.flatten(0, 1)  # all heads are one product
-        robot_rows = functional.linear(robot, projection)
-        other_rows = functional.linear(others, projection).unflatten(2, (heads, output_size))
-        if self.score == 'gatv2':
-            scores = self._dynamic_scores(robot_rows, other_rows)
-        else:
-            scores = self._static_scores(robot, others)
-        weights = masked_softmax(scores.transpose(1, 2), mask[:, None])
-        weighted = weights.transpose(1, 2)[..., None] * other_rows
-        return robot_rows, weighted.flatten(2), weights
+        return attend(self.tensors(), robot, others, mask)
 
-    def _static_scores(self, robot: torch.Tensor, others: torch.Tensor) -> torch.Tensor:
-        """Return the scores of 'gat' and 'linear', shape (batch, agents, heads)."""
-        # a^T (W h) is computed as (W^T a)^T h: one number per head in place of a whole row.
-        halves = self.attention.unflatten(1, (2, -1))  # (heads, 2, output_size)
-        robot_vector, other_vector = torch.bmm(halves, self.weight).unbind(1)  # (heads, input)
-        scores = functional.linear(others, other_vector)
-        scores = scores + functional.linear(robot, robot_vector)[:, None]
-        if self.score == 'linear':
-            return scores
-        return functional.leaky_relu(scores, NEGATIVE_SLOPE)
+    def tensors(self) -> 'AttentionTensors':
+        """Return views of the parameters for `attend`."""
+        return AttentionTensors(
+            self.weight, self.attention, self.weight.flatten(0, 1).t(), self.score
+        )
 
-    def _dynamic_scores(self, robot_rows: torch.Tensor, other_rows: torch.Tensor) -> torch.Tensor:
-        """Return a^T LeakyReLU(W h_r + W h_i), shape (batch, agents, heads)."""
-        robots = robot_rows.unflatten(1, other_rows.shape[2:])[:, None]
-        mixed = functional.leaky_relu(robots + other_rows, NEGATIVE_SLOPE)
-        return (mixed * self.attention).sum(dim=3)
+
+class AttentionTensors(NamedTuple):
+    """The parameters of a layer as `attend` uses them; views show changes made in place."""
+
+    weight: torch.Tensor
+    """W of all heads, shape (heads, output_size, input_size)."""
+    attention: torch.Tensor
+    """The vectors a of all heads."""
+    projection: torch.Tensor
+    """W of all heads as one matrix, shape (input_size, heads * output_size)."""
+    score: str
+    """Name of the score."""
+
+
+def attend(
+    tensors: AttentionTensors, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
+) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
+    """
+    Return what `GraphAttention.forward` returns.
+
+    :param tensors: parameters of the layer.
+    :param robot: shape (batch, input_size).
+    :param others: shape (batch, agents, input_size).
+    :param mask: true where an agent exists, bool, shape (batch, agents).
+    """
+    heads, output_size, _ = tensors.weight.shape
+    # All heads are one product.
+    robot_rows = torch.mm(robot, tensors.projection)
+    other_rows = torch.mm(others.flatten(0, 1), tensors.projection)
+    other_rows = other_rows.view(*mask.shape, heads, output_size)
+    if tensors.score == 'gatv2':
+        scores = _dynamic_scores(tensors.attention, robot_rows, other_rows)
+    else:
+        scores = _static_scores(tensors, robot, others)
+    weights = masked_softmax(scores.transpose(1, 2), mask[:, None])
+    weighted = weights.transpose(1, 2)[..., None] * other_rows
+    return robot_rows, weighted.flatten(2), weights
+
+
+def _static_scores(
+    tensors: AttentionTensors, robot: torch.Tensor, others: torch.Tensor
+) -> torch.Tensor:
+    """Return the scores of 'gat' and 'linear', shape (batch, agents, heads)."""
+    heads, output_size, _ = tensors.weight.shape
+    # a^T (W h) is computed as (W^T a)^T h: one number per head in place of a whole row.
+    halves = tensors.attention.view(heads, 2, output_size)
+    robot_vector, other_vector = torch.bmm(halves, tensors.weight).unbind(1)  # (heads, input)
+    other_part = torch.mm(others.flatten(0, 1), other_vector.t()).view(*others.shape[:2], heads)
+    scores = other_part + torch.mm(robot, robot_vector.t())[:, None]
+    if tensors.score == 'linear':
+        return scores
+    return functional.leaky_relu_(scores, NEGATIVE_SLOPE)
+
+
+def _dynamic_scores(
+    attention: torch.Tensor, robot_rows: torch.Tensor, other_rows: torch.Tensor
+) -> torch.Tensor:
+    """Return a^T LeakyReLU(W h_r + W h_i), shape (batch, agents, heads)."""
+    robots = robot_rows.unflatten(1, other_rows.shape[2:])[:, None]
+    mixed = functional.leaky_relu_(robots + other_rows, NEGATIVE_SLOPE)
+    return (mixed * attention).sum(dim=3)

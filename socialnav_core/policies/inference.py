@@ -1,27 +1,44 @@
 """Fast inference of a value network from NumPy arrays."""
 
+from collections.abc import Callable
+
 import numpy as np
 import torch
 from torch import nn
 
 from socialnav_core.states import Observation
 
-CHUNK = 512  # rows computed at once: what they need stays in the processor's cache
-SHAPE_STEP = 128  # every other number of rows would be compiled, and kept, by oneDNN
+# Rows computed at once on a CPU: what they need stays in the processor's cache.
+FLOAT32_CHUNK = 256
+BFLOAT16_CHUNK = 512
+SHAPE_STEP = 128  # every other number of rows in bfloat16 would be compiled, and kept, by oneDNN
 
 
 class ValueInference:
-    """Computes values in chunks of rows, without gradients; sees weights as they are now."""
+    """
+    Computes values from NumPy arrays, without gradients, with the network's weights as they are.
+
+    Weights may change between two calls: by an optimiser, by `load_state_dict`, or by moving the
+    network to another device. A network whose parameters are replaced by other objects needs a
+    new `ValueInference`.
+
+    A few rows (the actions of one decision) take one pass in float32; many rows are computed in
+    chunks, with bfloat16 products where asked for. Those lose little value, but choose another
+    action where two are nearly equal: 1 to 2 % of the decisions of SARL, up to 13 % of GAT4SN's.
+    """
 
     def __init__(self, network: nn.Module, bfloat16: bool = False) -> None:
         """
         Keep the network.
 
-        :param network: a value network.
-        :param bfloat16: whether products of batches of a chunk or more are in bfloat16.
+        :param network: a value network with `prepared` and `attention_weights`.
+        :param bfloat16: whether products are in bfloat16 from BFLOAT16_CHUNK rows on.
         """
         self.network = network
         self.bfloat16 = bfloat16
+        self._parameters = list(network.parameters())
+        self._places: list[int] = []
+        self._forward: Callable[..., torch.Tensor] = network.forward
 
     def values(self, robot: np.ndarray, others: np.ndarray, mask: np.ndarray) -> np.ndarray:
         """
@@ -32,14 +49,19 @@ class ValueInference:
         :param mask: bool (rows, agents).
         """
         rows = len(robot)
-        out = np.empty(rows, np.float32)
-        device = device_of(self.network)
-        inputs = [torch.from_numpy(array).to(device) for array in (robot, others, mask)]
-        low = self.bfloat16 and rows >= CHUNK
-        with torch.inference_mode(), torch.autocast(device.type, torch.bfloat16, enabled=low):
-            for chunk in chunks(rows) if device.type == 'cpu' else [slice(None)]:
-                values = self.network(*(array[chunk] for array in inputs))
-                out[chunk] = values.float().cpu().numpy()
+        low = self.bfloat16 and rows >= BFLOAT16_CHUNK
+        device = self._parameters[0].device
+        with torch.inference_mode():
+            forward = self._current_forward()
+            inputs = [torch.from_numpy(array) for array in (robot, others, mask)]
+            if device.type != 'cpu':
+                moved = [tensor.to(device) for tensor in inputs]
+                return _compute(forward, moved, low).cpu().numpy()
+            if rows <= FLOAT32_CHUNK and not low:
+                return forward(*inputs).numpy()
+            out = np.empty(rows, np.float32)
+            for chunk in chunks(rows, low):
+                out[chunk] = _compute(forward, [tensor[chunk] for tensor in inputs], low).numpy()
         return out
 
     def attention(self, seen: Observation) -> np.ndarray:
@@ -51,7 +73,15 @@ class ValueInference:
         with torch.inference_mode():
             device = device_of(self.network)
             arrays = (torch.from_numpy(a).to(device) for a in (seen.robot, seen.others, seen.mask))
-            return self.network.attention_weights(*arrays).cpu().numpy()
+            return self.network.attention_weights(*arrays).cpu().numpy()  # type: ignore[operator]
+
+    def _current_forward(self) -> Callable[..., torch.Tensor]:
+        """Return the prepared network, prepared again where a parameter has moved in memory."""
+        places = [parameter.data_ptr() for parameter in self._parameters]
+        if places != self._places:
+            self._forward = self.network.prepared()  # type: ignore[operator]
+            self._places = places
+        return self._forward
 
 
 def device_of(network: nn.Module) -> torch.device:
@@ -63,16 +93,26 @@ def device_of(network: nn.Module) -> torch.device:
     return next(network.parameters()).device
 
 
-def chunks(rows: int) -> list[slice]:
+def chunks(rows: int, bfloat16: bool) -> list[slice]:
     """
-    Return slices that cover all rows; from a chunk on, they have few different lengths.
+    Return slices that cover all rows; for bfloat16 they have few different lengths.
 
-    The last one reaches back over rows that are computed already rather than be of odd length.
+    For that the last one reaches back over rows that are computed already.
 
     :param rows: number of rows.
+    :param bfloat16: whether products will be in bfloat16.
     """
+    size, step = (BFLOAT16_CHUNK, SHAPE_STEP) if bfloat16 else (FLOAT32_CHUNK, 1)
     slices = []
-    for begin in range(0, rows, CHUNK):
-        count = min(CHUNK, -(-(rows - begin) // SHAPE_STEP) * SHAPE_STEP)
-        slices.append(slice(max(0, min(begin, rows - count)), min(begin + CHUNK, rows)))
+    for begin in range(0, rows, size):
+        count = min(size, -(-(rows - begin) // step) * step)
+        slices.append(slice(max(0, min(begin, rows - count)), min(begin + size, rows)))
     return slices
+
+
+def _compute(
+    forward: Callable[..., torch.Tensor], inputs: list[torch.Tensor], bfloat16: bool
+) -> torch.Tensor:
+    """Return the values of the inputs, float32 (rows,), with bfloat16 products where wanted."""
+    with torch.autocast(inputs[0].device.type, torch.bfloat16, enabled=bfloat16):
+        return forward(*inputs)

@@ -13,6 +13,7 @@ def masked_softmax(scores: torch.Tensor, mask: torch.Tensor) -> torch.Tensor:
     :param mask: true where an agent exists, broadcastable to the shape of scores.
     :returns: weights, shape (..., agents).
     """
+    invalid = ~mask
     # A finite fill, since a row of -inf alone would come out of the softmax as NaN.
-    filled = scores.masked_fill(~mask, torch.finfo(scores.dtype).min)
-    return torch.softmax(filled, dim=-1).masked_fill(~mask, 0.0)
+    filled = scores.masked_fill(invalid, torch.finfo(scores.dtype).min)
+    return torch.softmax(filled, dim=-1).masked_fill(invalid, 0.0)

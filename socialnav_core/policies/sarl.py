@@ -1,10 +1,21 @@
 """SARL: the value network with socially attentive pooling of Chen et al. 2019."""
 
+from collections.abc import Callable
+from functools import partial
+from typing import NamedTuple
+
 import torch
 from torch import nn
-from torch.nn import functional
 
 from socialnav_core.policies.masked_softmax import masked_softmax
+from socialnav_core.policies.perceptron import (
+    full_precision,
+    Layer,
+    linear_layer,
+    linear_layers,
+    rectified,
+    scalar,
+)
 
 
 class SarlValueNetwork(nn.Module):
@@ -53,14 +64,7 @@ class SarlValueNetwork(nn.Module):
         :param others: the other agents' features, ignored where invalid, shape (batch, agents, 7).
         :param mask: true where an agent exists, bool, shape (batch, agents).
         """
-        hidden, weights = self._attend(robot, others, mask)
-        # mlp2 ends in a linear layer and the weights sum to one (or all are zero), so pooling
-        # first gives the same sum for one product per sample in place of one per agent.
-        pooled = torch.bmm(weights[:, None], hidden).squeeze(1)  # (batch, 100)
-        occupied = mask.any(dim=1, keepdim=True)
-        crowd = functional.linear(pooled, self.mlp2_output.weight)
-        crowd = crowd + occupied * self.mlp2_output.bias
-        return self.value(torch.cat([robot, crowd], dim=1)).squeeze(1)
+        return _value(self._tensors(), robot, others, mask)
 
     def attention_weights(
         self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
@@ -74,30 +78,76 @@ class SarlValueNetwork(nn.Module):
         :param others: the other agents' features, shape (batch, agents, 7).
         :param mask: true where an agent exists, bool, shape (batch, agents).
         """
-        return self._attend(robot, others, mask)[1]
+        return _attend(self._tensors(), robot, others, mask)[1]
 
-    def _attend(
-        self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
-    ) -> tuple[torch.Tensor, torch.Tensor]:
-        """Return mlp2's hidden layer (batch, agents, 100) and the weights (batch, agents)."""
-        embedding = self._embed(robot, others, mask)
-        share = mask.to(robot.dtype) / mask.sum(dim=1, keepdim=True).clamp(min=1)
-        mean = torch.bmm(share[:, None], embedding).squeeze(1)  # (batch, 100)
-        # mlp2 and the score read the same embedding: their first layers are one product. The
-        # mean is the same for all agents of a sample, so its part of the score is added after.
-        own_part, mean_part = self.attention_hidden.weight.split(100, dim=1)
-        both = functional.linear(embedding, torch.cat([self.mlp2_hidden.weight, own_part]))
-        hidden, score_hidden = both.split(100, dim=2)
-        hidden = functional.relu(hidden + self.mlp2_hidden.bias)
-        from_mean = functional.linear(mean, mean_part, self.attention_hidden.bias)
-        score_hidden = functional.relu(score_hidden + from_mean[:, None])
-        scores = self.attention_output(score_hidden).squeeze(2)
-        return hidden, masked_softmax(scores, mask)
+    def prepared(self) -> Callable[..., torch.Tensor]:
+        """Return `forward` with the parameters looked up; it sees changes made in place."""
+        return partial(_value, self._tensors())
 
-    def _embed(
-        self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
-    ) -> torch.Tensor:
-        """Return mlp1 of each pair of robot and agent, shape (batch, agents, 100)."""
-        valid_others = others.masked_fill(~mask[:, :, None], 0.0)  # padding may hold anything
-        robots = robot[:, None].expand(-1, others.shape[1], -1)
-        return self.mlp1(torch.cat([robots, valid_others], dim=2))
+    def _tensors(self) -> '_Tensors':
+        """Return views of all parameters."""
+        own_part, mean_part = self.attention_hidden.weight.t().split(100)
+        return _Tensors(
+            mlp1=linear_layers(self.mlp1),
+            mlp2_hidden=linear_layer(self.mlp2_hidden),
+            mlp2_output=linear_layer(self.mlp2_output),
+            score_own=own_part,
+            score_mean=(mean_part, self.attention_hidden.bias),
+            score_output=linear_layers(self.attention_output),
+            value=linear_layers(self.value),
+        )
+
+
+class _Tensors(NamedTuple):
+    """The parameters as the equations use them."""
+
+    mlp1: list[Layer]
+    mlp2_hidden: Layer
+    mlp2_output: Layer
+    score_own: torch.Tensor
+    """Part of the first attention layer that reads e_i, (100, 100)."""
+    score_mean: Layer
+    """Part of it that reads the mean."""
+    score_output: list[Layer]
+    value: list[Layer]
+
+
+def _value(
+    tensors: _Tensors, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
+) -> torch.Tensor:
+    """Return the value of each sample, shape (batch,)."""
+    hidden, weights = _attend(tensors, robot, others, mask)
+    # mlp2 ends in a linear layer and the weights sum to one (or all are zero), so pooling
+    # first gives the same sum for one product per sample in place of one per agent.
+    pooled = torch.bmm(weights[:, None], hidden).squeeze(1)  # (batch, 100)
+    weight, bias = tensors.mlp2_output
+    with full_precision(robot):
+        crowd = torch.addmm(bias, pooled.to(robot.dtype), weight)
+        crowd = crowd * mask.any(dim=1, keepdim=True)  # without agents not even the bias
+        return scalar(torch.cat([robot, crowd], dim=1), tensors.value)
+
+
+def _attend(
+    tensors: _Tensors, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
+) -> tuple[torch.Tensor, torch.Tensor]:
+    """Return mlp2's hidden layer (batch, agents, 100) and the weights (batch, agents)."""
+    batch, agents = mask.shape
+    embedding = rectified(_pairs(robot, others, mask), tensors.mlp1)  # (batch * agents, 100)
+    shares = mask.to(robot.dtype)
+    shares = shares / shares.sum(dim=1, keepdim=True).clamp(min=1)
+    mean = torch.bmm(shares[:, None], embedding.view(batch, agents, 100)).squeeze(1)
+    # The mean is the same for all agents of a sample: its part of the score is computed once.
+    weight, bias = tensors.score_mean
+    from_mean = torch.addmm(bias, mean, weight)[:, None]
+    score_hidden = torch.mm(embedding, tensors.score_own).view(batch, agents, 100)
+    score_hidden = torch.relu_(score_hidden + from_mean).view(batch * agents, 100)
+    scores = scalar(score_hidden, tensors.score_output).view(batch, agents)
+    hidden = rectified(embedding, [tensors.mlp2_hidden])
+    return hidden.view(batch, agents, 100), masked_softmax(scores, mask)
+
+
+def _pairs(robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor) -> torch.Tensor:
+    """Return the features of each pair of robot and agent, shape (batch * agents, 13)."""
+    robots = robot[:, None].expand(-1, others.shape[1], -1)
+    pairs = torch.cat([robots, others], dim=2)
+    return pairs.masked_fill_(~mask[:, :, None], 0.0).flatten(0, 1)  # padding may hold anything

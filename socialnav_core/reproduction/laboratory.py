@@ -31,7 +31,7 @@ class Laboratory:
     jobs: int = 1
     """Processes side by side."""
     device: str = 'cpu'
-    """Where networks are computed: cpu or cuda."""
+    """Where networks are trained: cpu or cuda."""
     quick: bool = False
     """Whether runs take seconds and learn nothing."""
     announce: Callable[[str], None] = print
@@ -108,7 +108,7 @@ class Laboratory:
         name, folder = f'{request.row.name}-{request.seed}', self.run(request.row, request.seed)
         return Job(
             label=f'{request.row.name} seed {request.seed} measured in {cases.name}',
-            arguments=lambda: measurements.evaluate_arguments(folder, cases, self.device),
+            arguments=lambda: measurements.evaluate_arguments(folder, cases),
             log=self.folder / 'logs' / f'{name}-{cases.name}.log',
             needed=lambda: measurements.load(folder, cases) is None,
             finish=lambda seconds: measurements.keep(folder, cases),

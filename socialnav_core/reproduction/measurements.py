@@ -75,19 +75,17 @@ class Measurement:
         return np.where(self.success, self.time, np.nan)
 
 
-def evaluate_arguments(run: Path, cases: Cases, device: str) -> list[str]:
+def evaluate_arguments(run: Path, cases: Cases) -> list[str]:
     """
     Return the arguments of socialnav that measure a run.
 
     :param run: folder of the run.
     :param cases: which ones.
-    :param device: cpu or cuda.
     """
     return [
         'evaluate', str(run), '--scenario', cases.scenario, '--episodes', str(cases.episodes),
         '--seed', '0', '--split', cases.split, '--lookahead', cases.lookahead, '--no-screening',
         '--json', str(raw_path(run, cases)), '--overwrite',
-        *([] if device == 'cpu' else ['--device', device]),
     ]  # fmt: skip
 
 

@@ -7,17 +7,20 @@ from socialnav_core.config import Config
 from socialnav_core.training import read_config
 
 QUICK = {
-    'scenario.time_limit': 12.0,
+    'scenario.time_limit': 16.0,
     'training.worlds': 8,
     'training.iterations': 2,
     'training.steps_per_iteration': 8,
     'training.updates_per_iteration': 2,
     'training.batch_size': 32,
     'training.replay_capacity': 2000,
-    'training.imitation.episodes': 8,
+    'training.imitation.episodes': 16,
     'training.imitation.epochs': 1,
 }
 """Changes that make a run take seconds; it learns nothing."""
+
+QUICK_EPISODES = {'training.episodes': 10, 'training.updates_per_episode': 1}
+"""The same for runs whose length is given in episodes."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -43,7 +46,11 @@ class Row:
 
         :param quick: whether to train for seconds only.
         """
-        return {'name': self.name} | self.settings | (QUICK if quick else {})
+        settings = {'name': self.name} | self.settings
+        if not quick:
+            return settings
+        in_episodes = read_config(self.config, settings).training.episodes
+        return settings | QUICK | (QUICK_EPISODES if in_episodes else {})
 
     def resolved(self, seed: int, quick: bool) -> Config:
         """
@@ -63,22 +70,12 @@ REPORTED_TESTS = ('simple', 'hard')
 IN_SIMPLE10 = {'scenario': 'simple10', 'training.iterations': 140}
 IN_PACKED = {'scenario': 'packed-2.5', 'policy.speeds': 2, 'policy.headings': 8}
 WITHOUT_CURRICULUM = {'training.curriculum.enabled': False}
-REPORTED_RECIPE: dict[str, Any] = {
-    'training.optimizer': 'sgd',
-    'training.trace_decay': 0.0,
-    'training.imitation.episodes': 3000,
-    'training.imitation.epochs': 50,
-    'training.imitation.batch_size': 128,
-    'training.imitation.learning_rate': 0.01,
-    'training.imitation.final_learning_rate': 0.01,
-    'training.batch_size': 128,
-    'training.learning_rate': 0.001,
-    'training.final_learning_rate': 0.001,
-    'training.replay_capacity': 100000,
-    'training.epsilon_start': 0.5,
-    'training.epsilon_end': 0.1,
+REPORTED_RECIPE = {
+    'sarl': 'report_sarl',
+    'gat4sn': 'report_gat4sn',
+    'sarl_no_curriculum': 'report_sarl_no_curriculum',
 }
-"""Settings of the report's own recipe."""
+"""Rows that are also trained by the report's own recipe, and the configurations with it."""
 
 
 def rows_of_networks() -> list[Row]:
@@ -137,13 +134,14 @@ def by_reported_recipe(row: Row) -> Row:
     """
     Return a row trained by the report's own recipe.
 
-    :param row: any.
+    :param row: one of REPORTED_RECIPE.
     """
     return dataclasses.replace(
         row,
         name=f'{row.name}_report_recipe',
         label=f"{row.label}, report's recipe",
-        settings=row.settings | REPORTED_RECIPE,
+        config=REPORTED_RECIPE[row.name],
+        settings={},
         shipped=False,
     )
 
@@ -153,7 +151,7 @@ def all_rows() -> dict[str, Row]:
     networks, curriculum = rows_of_networks(), rows_of_curriculum()
     rows = {row.name: row for row in networks + curriculum}
     compared = [rows[name] for name in ('sarl', 'gat4sn', 'gat4sn_linear', 'gat4sn_v2')]
-    recipes = [rows[name] for name in ('sarl', 'gat4sn', 'sarl_no_curriculum')]
+    recipes = [rows[name] for name in REPORTED_RECIPE]
     more = [in_simple10(row) for row in compared] + [by_reported_recipe(row) for row in recipes]
     return rows | {row.name: row for row in more}
 

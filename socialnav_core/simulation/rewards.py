@@ -80,9 +80,9 @@ def swept_distance(x, y, move_x, move_y):  # type: ignore[no-untyped-def]
     :param move_x: m.
     :param move_y: m.
     """
-    length = move_x * move_x + move_y * move_y
-    if length > 0.0:
-        share = min(1.0, max(0.0, -(x * move_x + y * move_y) / length))
+    approach = -(x * move_x + y * move_y)
+    if approach > 0.0:
+        share = min(1.0, approach / (move_x * move_x + move_y * move_y))
         x += share * move_x
         y += share * move_y
     return math.sqrt(x * x + y * y)

@@ -1,6 +1,6 @@
 """A batch of worlds that are stepped side by side."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 import dataclasses
 from typing import Any
 
@@ -49,6 +49,7 @@ class Simulator:
         self._decided = np.zeros((batch_size, scenario.agents, 2))
         self._until_decision = np.zeros(batch_size)
         self._settings = reward_settings(scenario.reward, scenario.goal_tolerance)
+        self._scenario_of: Callable[[int], Scenario] | None = None
 
     @property
     def state(self) -> CrowdState:
@@ -157,17 +158,22 @@ class Simulator:
         """
         self._episodes.state.robot_goal[world] = goal
 
-    def change_scenario(self, scenario: Scenario) -> None:
+    def change_scenario(
+        self, scenario: Scenario, scenario_of: Callable[[int], Scenario] | None = None
+    ) -> None:
         """
         Use other obstacle radii for the episodes that begin from now on.
 
         :param scenario: differs from the present one in its name and obstacle radii only.
+        :param scenario_of: returns the scenario of an episode, which differs in no more either,
+            for its number since `reset` (the case, where cases are endless); None: all alike.
         :raises ConfigError: when it differs in more.
         """
         same = {name: getattr(self.scenario, name) for name in LAYOUT_FIELDS}
         if dataclasses.replace(scenario, **same) != self.scenario:
             raise ConfigError('change_scenario: only names and obstacle radii may differ')
         self.scenario = self._episodes.scenario = scenario
+        self._scenario_of = scenario_of
 
     def get_state(self) -> dict[str, np.ndarray]:
         """Return all that is needed to go on from here, as arrays of their own."""
@@ -212,4 +218,9 @@ class Simulator:
         """Lay out the next cases."""
         self._until_decision[worlds] = 0.0
         self._decided[worlds] = 0.0
-        self._episodes.start(worlds)
+        if self._scenario_of is None:
+            self._episodes.start(worlds)
+            return
+        for world in worlds:
+            self._episodes.scenario = self._scenario_of(int(self._episodes.counters[0]))
+            self._episodes.start(np.array([world]))

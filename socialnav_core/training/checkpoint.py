@@ -13,7 +13,7 @@ import torch
 
 from socialnav_core.config import Config, ConfigError, require
 from socialnav_core.policies.checkpoint import atomic_write, CheckpointError
-from socialnav_core.settings import flatten, to_mapping
+from socialnav_core.settings import flatten, from_mapping, to_mapping
 
 STATE_NAME = 'training_state.safetensors'
 FORMAT = 'socialnav training state 1'
@@ -75,7 +75,8 @@ def load_state(folder: Path, config: Config) -> dict[str, Arrays]:
         raise CheckpointError(f'{path} is damaged ({error}); start again') from error
     if metadata.get('format') != FORMAT or metadata.get('digest') != digest(arrays):
         raise CheckpointError(f'{path} is damaged or of another version; start again')
-    require_same(json.loads(metadata['config']), to_mapping(config))
+    saved = from_mapping(Config, json.loads(metadata['config']))  # settings it lacks: defaults
+    require_same(to_mapping(saved), to_mapping(config))
     require(
         metadata['threads'] == str(torch.get_num_threads()),
         f'the run was started with {metadata["threads"]} processor threads, not '
@@ -138,20 +139,21 @@ def restore_network(network: torch.nn.Module, arrays: Arrays) -> None:
 
 def optimizer_arrays(optimizer: torch.optim.Optimizer) -> Arrays:
     """
-    Return the moments that Adam keeps of each parameter.
+    Return what the optimizer remembers of each parameter: moments or momentum.
 
-    :param optimizer: before its first step it keeps none.
+    :param optimizer: before its first step it remembers nothing.
     """
     return {
         f'{index}/{name}': tensor.cpu().numpy()
         for index, moments in optimizer.state_dict()['state'].items()
         for name, tensor in moments.items()
+        if tensor is not None
     }
 
 
 def restore_optimizer(optimizer: torch.optim.Optimizer, arrays: Arrays) -> None:
     """
-    Set the moments in place.
+    Set what the optimizer remembers, in place.
 
     :param optimizer: of parameters of the same shapes.
     :param arrays: from optimizer_arrays.

@@ -10,6 +10,7 @@ from socialnav_core.config import require, TrainingConfig
 from socialnav_core.policies import Policy
 from socialnav_core.simulation import observe, Outcome, Simulator
 from socialnav_core.states import Observation
+from socialnav_core.training.optimizers import make_optimizer
 from socialnav_core.training.regression import regress
 from socialnav_core.training.schedules import exponential
 from socialnav_core.training.targets import discounted_returns
@@ -104,7 +105,7 @@ def imitate(
     :param generator: source of the order.
     """
     settings = config.imitation
-    optimizer = torch.optim.Adam(network.parameters(), fused=True)
+    optimizer = make_optimizer(network, config)
     count = len(demonstrations.returns)
     batches = -(-count // settings.batch_size)
     updates = settings.epochs * batches

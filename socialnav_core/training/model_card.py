@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from socialnav_core.config import Config
+from socialnav_core.config import Config, TrainingConfig
 from socialnav_core.policies.checkpoint import atomic_write, checkpoint_digest, load_checkpoint
 from socialnav_core.training.progress import CSV_NAME
 
@@ -137,17 +137,15 @@ def training_data(config: Config, last: dict[str, float]) -> str:
         f'{scenario.obstacles} obstacles), cases of the `train` split, seed {config.seed}:\n',
         f'- imitation: {imitation.episodes:,} episodes of an ORCA robot (safety space '
         f'{imitation.safety_space:g} m), {imitation.epochs} epochs;',
-        f'- value learning: {settings.iterations} iterations of {settings.steps_per_iteration} '
-        f'steps in {settings.worlds} worlds, {settings.updates_per_iteration} updates each, '
-        f'Q(lambda) targets with lambda {settings.trace_decay:g}, look-ahead '
-        f'`{settings.lookahead}`;',
+        value_learning_line(settings),
         f'- products in {"bfloat16" if settings.bfloat16 else "float32"}, weights in float32.',
     ]
     if curriculum.enabled:
         lines.append(
-            f'- curriculum: largest obstacle radius from {curriculum.start_radius:g} m to '
-            f'{curriculum.final_radius:g} m by {curriculum.radius_step:g} m whenever '
-            f'{curriculum.target_success:.0%} of {curriculum.window} episodes succeed.'
+            f'- curriculum ({curriculum.scheduler}): largest obstacle radius from '
+            f'{curriculum.start_radius:g} m to {curriculum.final_radius:g} m by '
+            f'{curriculum.radius_step:g} m whenever {curriculum.target_success:.0%} of '
+            f'{curriculum.window} episodes succeed.'
         )
     if last:
         lines.append(
@@ -156,6 +154,29 @@ def training_data(config: Config, last: dict[str, float]) -> str:
             f'{last["obstacle_radius"]:g} m.'
         )
     return '\n'.join(lines)
+
+
+def value_learning_line(settings: TrainingConfig) -> str:
+    """
+    Return how values were learned, a line of a list.
+
+    :param settings: of the training.
+    """
+    if settings.episodes:
+        length = f'{settings.episodes:,} episodes'
+    else:
+        length = f'{settings.iterations} iterations of {settings.steps_per_iteration} steps'
+    if settings.updates_per_episode:
+        updates = f'{settings.updates_per_episode} updates an episode'
+    else:
+        updates = f'{settings.updates_per_iteration} updates each'
+    targets = f'Q(lambda) targets with lambda {settings.trace_decay:g}'
+    if settings.target_update_episodes:
+        targets = f'one-step targets renewed every {settings.target_update_episodes} episodes'
+    return (
+        f'- value learning: {length} in {settings.worlds} worlds, {updates}, {targets}, '
+        f'look-ahead `{settings.lookahead}`;'
+    )
 
 
 def results_section(results: list[dict[str, Any]]) -> str:

@@ -6,6 +6,8 @@ from pathlib import Path
 from torch.utils.tensorboard import SummaryWriter
 from tqdm import tqdm
 
+from socialnav_core.config import TrainingConfig
+
 CSV_NAME = 'progress.csv'
 COLUMNS = (
     'iteration', 'decisions', 'episodes', 'success_rate', 'collision_rate', 'mean_time', 'loss',
@@ -16,21 +18,26 @@ COLUMNS = (
 class Progress:
     """The open reports of a run."""
 
-    def __init__(self, folder: Path, iterations: int, first: int, visible: bool) -> None:
+    def __init__(
+        self, folder: Path, config: TrainingConfig, first: int, position: int, visible: bool
+    ) -> None:
         """
         Open the reports and drop what they hold of iterations that will be repeated.
 
         :param folder: of the run.
-        :param iterations: in all.
+        :param config: of the run, for its length.
         :param first: iterations that are done already.
+        :param position: the same in the unit of the length.
         :param visible: whether to show a bar on stderr.
         """
+        self._unit = 'episodes' if config.episodes else 'iteration'
+        self._position = position
         self._file = open_csv(folder / CSV_NAME, first)
         self._rows = csv.DictWriter(self._file, COLUMNS)
         self._board = SummaryWriter(str(folder), purge_step=first + 1 if first else None)
         self._bar = tqdm(
-            total=iterations, initial=first, disable=not visible, desc='value learning',
-            unit='iteration', dynamic_ncols=True,
+            total=config.length, initial=position, disable=not visible, desc='value learning',
+            unit=self._unit, dynamic_ncols=True,
         )  # fmt: skip
 
     def __enter__(self) -> 'Progress':
@@ -56,7 +63,9 @@ class Progress:
         self._bar.set_postfix_str(
             f'{row["decisions_per_second"]:.0f} decisions/s, success {row["success_rate"]:.3f}'
         )
-        self._bar.update()
+        position = int(row[self._unit])
+        self._bar.update(position - self._position)
+        self._position = position
 
 
 def open_csv(path: Path, first: int):  # type: ignore[no-untyped-def]

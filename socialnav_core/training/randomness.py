@@ -17,6 +17,7 @@ class Purpose(enum.IntEnum):
     SELECTION = 2
     EXPLORATION = 3
     REPLAY = 4
+    BUCKET = 5
 
 
 def generator(seed: int, purpose: Purpose, iteration: int = 0) -> np.random.Generator:

@@ -4,10 +4,11 @@ import dataclasses
 
 import numpy as np
 
+from socialnav_core.policies.inference import ValueInference
 from socialnav_core.policies.lookahead import Decision, ValuePolicy
 from socialnav_core.simulation import observe, Simulator
 from socialnav_core.states import CrowdState, Observation
-from socialnav_core.training.targets import q_lambda_targets
+from socialnav_core.training.targets import one_step_targets, q_lambda_targets
 
 
 @dataclasses.dataclass
@@ -17,7 +18,9 @@ class Rollout:
     observation: Observation
     """What the robots saw, (steps * worlds, ...)."""
     target: np.ndarray
-    """What those states are worth by Watkins' Q(lambda), (steps * worlds,)."""
+    """What those states are worth, (steps * worlds,)."""
+    episode: np.ndarray
+    """Case index of each state, (steps * worlds,)."""
     case_index: np.ndarray
     """Cases that ended, (episodes,)."""
     outcome: np.ndarray
@@ -36,6 +39,7 @@ def collect(
     epsilon: float,
     trace_decay: float,
     generator: np.random.Generator,
+    frozen: ValueInference | None = None,
 ) -> Rollout:
     """
     Run all worlds for some steps, with a random action in a share of them.
@@ -47,9 +51,10 @@ def collect(
     :param epsilon: share of random actions.
     :param trace_decay: lambda of the targets.
     :param generator: source of exploration.
+    :param frozen: network of one-step targets, which replace those of Q(lambda); None for none.
     """
     worlds = np.arange(simulator.batch_size)
-    observations, flows, ended_episodes = [], [], []
+    observations, next_observations, flows, ended_episodes = [], [], [], []
     best_values = [decision.maximum()]
     for _ in range(steps):
         observations.append(observe(simulator.state, policy.kinematics))
@@ -61,22 +66,30 @@ def collect(
             'terminated': terminated,
             'truncated': truncated,
             'greedy': action == decision.action,
+            'case_index': info['case_index'],
             'final_value': value_at_cut(policy, info['final_state'], truncated),
         }
         flows.append(flow)
+        if frozen:
+            next_observations.append(observe(info['final_state'], policy.kinematics))
         ended = terminated | truncated
         ended_episodes.append([info[name][ended] for name in ('case_index', 'outcome', 'time')])
         decision = policy.decide(state)
         best_values.append(decision.maximum())
-    target = q_lambda_targets(
-        **{name: np.stack([flow[name] for flow in flows]) for name in flows[0]},
-        best_value=np.stack(best_values),
-        discount=simulator.scenario.discount,
-        trace_decay=trace_decay,
-    )
+    flow = {name: np.stack([flow[name] for flow in flows]) for name in flows[0]}
+    episode, discount = flow.pop('case_index').ravel(), simulator.scenario.discount
+    if frozen:
+        seen = joined(next_observations)
+        next_value = frozen.values(seen.robot, seen.others, seen.mask).reshape(steps, -1)
+        target = one_step_targets(flow['reward'], flow['terminated'], next_value, discount)
+    else:
+        target = q_lambda_targets(
+            **flow, best_value=np.stack(best_values), discount=discount, trace_decay=trace_decay
+        )
     columns = zip(*ended_episodes, strict=True)
     case_index, outcome, time = (np.concatenate(column) for column in columns)
-    return Rollout(joined(observations), target.ravel(), case_index, outcome, time, decision)
+    seen = joined(observations)
+    return Rollout(seen, target.ravel(), episode, case_index, outcome, time, decision)
 
 
 def explore(decision: Decision, epsilon: float, generator: np.random.Generator) -> np.ndarray:

@@ -7,6 +7,7 @@ import numpy as np
 import torch
 
 from socialnav_core.config import Config, PolicyConfig, ScreeningConfig
+from socialnav_core.policies.inference import ValueInference
 from socialnav_core.policies.lookahead import Decision, ValuePolicy
 from socialnav_core.simulation import Simulator
 from socialnav_core.training.checkpoint import (
@@ -19,9 +20,11 @@ from socialnav_core.training.checkpoint import (
 from socialnav_core.training.constant_features import without_constant_features
 from socialnav_core.training.curriculum import Curriculum
 from socialnav_core.training.episodes import EpisodeWindow
+from socialnav_core.training.optimizers import make_optimizer
 from socialnav_core.training.randomness import initial_network
 from socialnav_core.training.replay_buffer import ReplayBuffer
 from socialnav_core.training.rollout import Rollout
+from socialnav_core.training.unfinished import UnfinishedEpisodes
 
 REPORTED_EPISODES = 200
 
@@ -38,15 +41,18 @@ class Run:
         settings = config.training
         self.config = config
         self.network = initial_network(config.policy, config.seed).to(settings.device)
-        self.optimizer = torch.optim.Adam(
-            self.network.parameters(), lr=settings.learning_rate, fused=True
-        )
+        self.optimizer = make_optimizer(self.network, settings)
+        self.target_network = copy.deepcopy(self.network)
+        self.frozen = None
+        if settings.target_update_episodes:
+            self.frozen = ValueInference(self.target_network, settings.bfloat16)
         self.buffer = ReplayBuffer(settings.replay_capacity, config.scenario.agents)
+        self.unfinished = UnfinishedEpisodes(config.scenario.agents)
         self.episodes = EpisodeWindow(REPORTED_EPISODES, next_case=0)
         self.curriculum = None
         scenario = config.scenario
         if settings.curriculum.enabled:
-            self.curriculum = Curriculum(settings.curriculum, next_case=0)
+            self.curriculum = Curriculum(settings.curriculum, next_case=0, seed=config.seed)
             scenario = self.curriculum.scenario(scenario)
         self.simulator = Simulator(scenario, settings.worlds)
         self.policy = ValuePolicy(self.network, exploring_policy(config), settings.bfloat16)
@@ -61,6 +67,31 @@ class Run:
         """Return the largest obstacle radius of the episodes that begin now, m."""
         return self.simulator.scenario.obstacle_radius_max
 
+    @property
+    def position(self) -> int:
+        """Return how much is done, in the unit of the run's length: episodes or iterations."""
+        return self.ended_episodes if self.config.training.episodes else self.iteration
+
+    @property
+    def finished(self) -> bool:
+        """Return whether the run is as long as it should be."""
+        return self.position >= self.config.training.length
+
+    def store(self, rollout: Rollout) -> None:
+        """
+        Add what was collected to the replay.
+
+        :param rollout: of the iteration.
+        """
+        if self.config.training.store_timeouts:
+            self.buffer.append(rollout.observation, rollout.target)
+        else:
+            self.buffer.append(*self.unfinished.release(rollout))
+
+    def renew_target(self) -> None:
+        """Let the network of one-step targets have the weights of now."""
+        self.target_network.load_state_dict(self.network.state_dict())
+
     def finished_network(self) -> torch.nn.Module:
         """Return a copy of the network, on the CPU, as it is to be used."""
         if self.config.training.fold_constant_features and self.buffer.size:
@@ -69,18 +100,22 @@ class Run:
 
     def record(self, rollout: Rollout) -> None:
         """
-        Count the episodes that ended and go to the next level when it is time.
+        Count the episodes that ended, renew the targets and raise the level when it is time.
 
         :param rollout: of the iteration.
         """
         ended = (rollout.case_index, rollout.outcome, rollout.time)
+        period = self.config.training.target_update_episodes
+        before = self.ended_episodes
         self.ended_episodes += len(rollout.case_index)
+        if period and before // period != self.ended_episodes // period:
+            self.renew_target()
         self.episodes.record(*ended)
         if self.curriculum is None:
             return
         self.curriculum.window.record(*ended)
         if self.curriculum.advance(int(self.simulator.case_index.max()) + 1):
-            self.simulator.change_scenario(self.curriculum.scenario(self.config.scenario))
+            self.curriculum.apply(self.simulator, self.config.scenario)
 
     def sections(self) -> dict[str, Arrays]:
         """Return all that `restore` needs, part by part."""
@@ -89,10 +124,13 @@ class Run:
             'ended_episodes': np.array(self.ended_episodes),
             'seconds': np.array(self.seconds),
         }
+        settings = self.config.training
         return {
             'network': network_arrays(self.network),
+            'target_network': network_arrays(self.target_network) if self.frozen else {},
             'optimizer': optimizer_arrays(self.optimizer),
             'buffer': self.buffer.get_state(),
+            'unfinished': {} if settings.store_timeouts else self.unfinished.get_state(),
             'episodes': self.episodes.get_state(),
             'curriculum': self.curriculum.get_state() if self.curriculum else {},
             'simulator': self.simulator.get_state(),
@@ -107,12 +145,16 @@ class Run:
         :param sections: from `sections` of a run with the same configuration.
         """
         restore_network(self.network, sections['network'])
+        if self.frozen:
+            restore_network(self.target_network, sections['target_network'])
         restore_optimizer(self.optimizer, sections.get('optimizer', {}))
         self.buffer.set_state(sections['buffer'])
+        if not self.config.training.store_timeouts:
+            self.unfinished.set_state(sections['unfinished'])
         self.episodes.set_state(sections['episodes'])
         if self.curriculum:
             self.curriculum.set_state(sections['curriculum'])
-            self.simulator.change_scenario(self.curriculum.scenario(self.config.scenario))
+            self.curriculum.apply(self.simulator, self.config.scenario)
         self.simulator.set_state(sections['simulator'])
         self.decision = Decision(**sections['decision'])
         counters = sections['counters']

@@ -3,26 +3,26 @@
 from socialnav_core.config import TrainingConfig
 
 
-def learning_rate(config: TrainingConfig, iteration: int) -> float:
+def learning_rate(config: TrainingConfig, position: int) -> float:
     """
     Return the learning rate: constant up to decay_start, then falling exponentially.
 
     :param config: start, end and the share of the run with the first.
-    :param iteration: 0 ... iterations - 1.
+    :param position: iterations or episodes done, in the unit of the run's length.
     """
-    begin = config.decay_start * config.iterations
-    share = max(0.0, iteration - begin) / max(config.iterations - 1 - begin, 1)
+    begin = config.decay_start * config.length
+    share = max(0.0, position - begin) / max(config.length - 1 - begin, 1)
     return exponential(config.learning_rate, config.final_learning_rate, share)
 
 
-def epsilon(config: TrainingConfig, iteration: int) -> float:
+def epsilon(config: TrainingConfig, position: int) -> float:
     """
     Return the share of random actions: falling linearly, then constant.
 
     :param config: start, end and the share of the run after which the end is reached.
-    :param iteration: 0 ... iterations - 1.
+    :param position: iterations or episodes done, in the unit of the run's length.
     """
-    share = min(1.0, iteration / max(config.epsilon_share * config.iterations, 1))
+    share = min(1.0, position / max(config.epsilon_share * config.length, 1))
     return config.epsilon_start + share * (config.epsilon_end - config.epsilon_start)
 
 

@@ -41,6 +41,20 @@ def q_lambda_targets(
     return targets
 
 
+def one_step_targets(
+    reward: np.ndarray, terminated: np.ndarray, next_value: np.ndarray, discount: float
+) -> np.ndarray:
+    """
+    Return r + discount * V(s'), or r alone after a terminal step, shape (steps, worlds).
+
+    :param reward: of each step, (steps, worlds).
+    :param terminated: whether the step ended the episode for good, (steps, worlds).
+    :param next_value: V of the state that the step led to, (steps, worlds).
+    :param discount: of one step.
+    """
+    return reward + discount * np.where(terminated, 0, next_value)
+
+
 def discounted_returns(reward: np.ndarray, ended: np.ndarray, discount: float) -> np.ndarray:
     """
     Return the discounted sum of rewards from each step to the end of its episode, (steps, worlds).

@@ -23,7 +23,7 @@ from socialnav_core.training.precision import with_available_precision
 from socialnav_core.training.progress import Progress
 from socialnav_core.training.randomness import generator, Purpose
 from socialnav_core.training.regression import regress
-from socialnav_core.training.rollout import collect
+from socialnav_core.training.rollout import collect, Rollout
 from socialnav_core.training.run import Run
 from socialnav_core.training.schedules import epsilon, learning_rate
 
@@ -65,8 +65,8 @@ def train(
         else:
             begin(run, progress)
             save(run, out)
-        with Progress(out, settings.iterations, run.iteration, progress) as reports:
-            while run.iteration < settings.iterations and not interruption.requested:
+        with Progress(out, settings, run.iteration, run.position, progress) as reports:
+            while not run.finished and not interruption.requested:
                 reports.report(iterate(run))
                 if run.iteration % settings.checkpoint_iterations == 0:
                     save(run, out)
@@ -103,6 +103,7 @@ def begin(run: Run, progress: bool) -> None:
         imitate(run.network, demonstrations, settings, generator(config.seed, Purpose.IMITATION))
         order = generator(config.seed, Purpose.SELECTION).permutation(count)
         run.buffer.append(*demonstrations.select(order[: settings.replay_capacity // 2]))
+    run.renew_target()
     run.decision = run.policy.decide(run.simulator.reset(seed=config.seed, split='train'))
     run.seconds = time.perf_counter() - started
 
@@ -115,22 +116,23 @@ def iterate(run: Run) -> dict[str, float]:
     """
     started = time.perf_counter()
     config, settings, iteration = run.config, run.config.training, run.iteration
+    rate, exploration = learning_rate(settings, run.position), epsilon(settings, run.position)
     rollout = collect(
         run.simulator,
         run.policy,
         run.decision,
         settings.steps_per_iteration,
-        epsilon(settings, iteration),
+        exploration,
         settings.trace_decay,
         generator(config.seed, Purpose.EXPLORATION, iteration),
+        run.frozen,
     )
     run.decision = rollout.decision
-    run.buffer.append(rollout.observation, rollout.target)
+    run.store(rollout)
 
-    rate = learning_rate(settings, iteration)
     draws = generator(config.seed, Purpose.REPLAY, iteration)
     losses = []
-    for _ in range(settings.updates_per_iteration):
+    for _ in range(updates_after(rollout, run)):
         batch = run.buffer.sample(draws, settings.batch_size)
         losses.append(
             regress(
@@ -153,11 +155,26 @@ def iterate(run: Run) -> dict[str, float]:
         'mean_time': run.episodes.mean_time,
         'loss': float(np.mean(losses)) if losses else float('nan'),
         'learning_rate': rate,
-        'epsilon': epsilon(settings, iteration),
+        'epsilon': exploration,
         'obstacle_radius': radius,
         'decisions_per_second': decisions / seconds,
         'seconds': run.seconds,
     }
+
+
+def updates_after(rollout: Rollout, run: Run) -> int:
+    """
+    Return the number of updates after a rollout; none while there is nothing to replay.
+
+    :param rollout: of the iteration.
+    :param run: the run, with the rollout stored.
+    """
+    settings = run.config.training
+    if not run.buffer.size:
+        return 0
+    if settings.updates_per_episode:
+        return settings.updates_per_episode * len(rollout.case_index)
+    return settings.updates_per_iteration
 
 
 def save(run: Run, out: Path) -> None:
@@ -179,8 +196,10 @@ def how_to_resume(run: Run, out: Path) -> str:
     :param out: its folder.
     """
     config, folder = shlex.quote(str(out / 'config.yaml')), shlex.quote(str(out))
+    settings = run.config.training
     return (
-        f'stopped and saved after iteration {run.iteration} of {run.config.training.iterations}; '
+        f'stopped and saved after {run.position} of {settings.length} '
+        f'{"episodes" if settings.episodes else "iterations"}; '
         f'go on with: socialnav train {config} --out {folder} --resume'
     )
 

@@ -2,12 +2,14 @@
 
 import pytest
 
+from socialnav_core.policies import OrcaPolicy
 from socialnav_core.policies.checkpoint import build_network
 from socialnav_core.reproduction.experiments import EXPERIMENTS
 from socialnav_core.reproduction.report_figures import PARAMETERS, REPORT, SAME_SYSTEM
-from socialnav_core.reproduction.rows import QUICK, ROWS
+from socialnav_core.reproduction.rows import QUICK, REPORTED_RECIPE, ROWS
 from socialnav_core.settings import flatten, to_mapping
-from socialnav_core.simulation import make_scenario
+from socialnav_core.simulation import make_scenario, Simulator
+from socialnav_core.training.imitation import collect_demonstrations
 
 
 @pytest.mark.parametrize('name', ROWS)
@@ -24,17 +26,39 @@ def test_networks_have_as_many_parameters_as_in_the_report(name):
     assert sum(parameter.numel() for parameter in network.parameters()) == PARAMETERS[name]
 
 
-@pytest.mark.parametrize('name', [name for name in ROWS if name.endswith('_report_recipe')])
-def test_the_reports_recipe_is_not_ours(name):
-    theirs = ROWS[name].resolved(0, quick=False).training
-    ours = ROWS[name.removesuffix('_report_recipe')].resolved(0, quick=False).training
-    assert theirs != ours
-    assert theirs.imitation.episodes == 3000
+@pytest.mark.parametrize('name', REPORTED_RECIPE)
+def test_the_reports_recipe_differs_in_training_alone(name):
+    theirs = ROWS[f'{name}_report_recipe'].resolved(0, quick=False)
+    ours = ROWS[name].resolved(0, quick=False)
+    assert (theirs.scenario, theirs.policy) == (ours.scenario, ours.policy)
+    assert theirs.training != ours.training
+
+
+def test_the_reports_recipe_is_one():
+    first, *others = (
+        ROWS[f'{name}_report_recipe'].resolved(0, quick=False).training for name in REPORTED_RECIPE
+    )
+    assert all(training == first for training in others)
+    assert (first.imitation.episodes, first.episodes) == (3000, 5000)
+
+
+@pytest.mark.parametrize('name', REPORTED_RECIPE)
+def test_a_smoke_run_of_the_reports_recipe_ends_after_few_updates(name):
+    training = ROWS[f'{name}_report_recipe'].resolved(0, quick=True).training
+    assert training.episodes * training.updates_per_episode <= 10
 
 
 def test_a_smoke_run_differs_by_the_quick_settings_alone():
     full, quick = (flatten(to_mapping(ROWS['sarl'].resolved(0, q))) for q in (False, True))
     assert {name for name in full if full[name] != quick[name]} == set(QUICK)
+
+
+@pytest.mark.parametrize('name', ['sarl', 'sarl_no_curriculum', 'sarl_no_curriculum_packed'])
+def test_a_smoke_run_has_demonstrations_to_imitate(name):
+    config = ROWS[name].resolved(0, quick=True)
+    episodes = config.training.imitation.episodes
+    found = collect_demonstrations(Simulator(config.scenario, episodes), OrcaPolicy(), episodes, 0)
+    assert len(found.returns)
 
 
 def test_figures_of_the_report_belong_to_rows_and_their_tests():

@@ -34,7 +34,7 @@ def test_a_run_with_other_settings_is_refused_by_naming_one(finished_run, labora
     runs.require_same_settings(SARL, 0, folder, quick=False)
     with pytest.raises(ConfigError, match='seed = 0, not 1'):
         runs.require_same_settings(SARL, 1, folder, quick=False)
-    with pytest.raises(ConfigError, match='time_limit = 25.0, not 12.0; move it away'):
+    with pytest.raises(ConfigError, match='time_limit = 25.0, not 16.0; move it away'):
         laboratory = type(laboratory)(laboratory.folder, quick=True)
         laboratory.provide([Request(SARL, 0, ())])
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from socialnav_core.policies import ValuePolicy
+from socialnav_core.policies.inference import ValueInference
 from socialnav_core.policies.lookahead import Decision
 from socialnav_core.simulation import make_scenario, observe, Simulator
 from socialnav_core.training.randomness import initial_network
@@ -24,9 +25,9 @@ def make_worlds(config, time_limit=25.0, lookahead='oracle'):
     return simulator, policy, policy.decide(simulator.reset(seed=0, split='train'))
 
 
-def run(worlds, epsilon=0.0, trace_decay=0.7):
+def run(worlds, epsilon=0.0, trace_decay=0.7, frozen=None):
     """Return a rollout."""
-    return collect(*worlds, STEPS, epsilon, trace_decay, np.random.default_rng(0))
+    return collect(*worlds, STEPS, epsilon, trace_decay, np.random.default_rng(0), frozen)
 
 
 def test_rollout_holds_every_step_of_every_world(tiny_config):
@@ -48,6 +49,27 @@ def test_one_step_targets_follow_from_rewards_and_the_next_decisions(tiny_config
     rollout = run(make_worlds(tiny_config), trace_decay=0.0)
     expected = reward + simulator.scenario.discount * later
     assert rollout.target[:WORLDS] == pytest.approx(expected, abs=1e-6)
+
+
+def test_frozen_network_values_the_states_that_exploration_really_led_to(tiny_config):
+    frozen = ValueInference(initial_network(tiny_config.policy, seed=7))
+    rollout = run(make_worlds(tiny_config, time_limit=2.0), epsilon=0.8, frozen=frozen)
+    seen, first = rollout.observation, slice(0, WORLDS)
+    value = frozen.values(seen.robot, seen.others, seen.mask).reshape(STEPS, WORLDS)
+    discount = make_scenario('simple').discount
+    going = rollout.episode[first] == rollout.episode[WORLDS : 2 * WORLDS]
+    reward = rollout.target[first] - discount * value[1]
+    assert going.any()
+    free = going & (np.abs(reward) < 1e-6)  # neither the goal nor discomfort
+    assert free.any()
+    assert (np.abs(reward[going]) < 0.05).all()
+
+
+def test_states_know_their_episode(tiny_config):
+    rollout = run(make_worlds(tiny_config, time_limit=1.0))
+    lengths = np.bincount(rollout.episode)
+    assert rollout.episode[:WORLDS].tolist() == list(range(WORLDS))
+    assert (lengths[rollout.case_index] == rollout.time / 0.25).all()
 
 
 def test_last_decision_is_that_of_the_present_state(tiny_config):

@@ -28,3 +28,10 @@ def test_epsilon_falls_linearly_over_the_first_half():
     assert epsilon(CONFIG, 0) == pytest.approx(0.3)
     assert epsilon(CONFIG, 25) == pytest.approx(0.175)
     assert epsilon(CONFIG, 50) == epsilon(CONFIG, 99) == pytest.approx(0.05)
+
+
+def test_schedules_follow_the_episodes_where_they_are_the_length():
+    config = TrainingConfig(iterations=3, episodes=5000, epsilon_share=0.8)
+    assert epsilon(config, 2000) == pytest.approx(0.175)
+    assert epsilon(config, 3999) > epsilon(config, 4000) == epsilon(config, 5000)
+    assert learning_rate(config, 1500) == 1e-3 > learning_rate(config, 1600)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from socialnav_core.training.targets import discounted_returns, q_lambda_targets
+from socialnav_core.training.targets import discounted_returns, one_step_targets, q_lambda_targets
 
 DISCOUNT = 0.9
 STEPS, WORLDS = 6, 4
@@ -105,3 +105,9 @@ def test_returns_are_discounted_sums_that_stop_at_the_end_of_an_episode():
     ended = np.array([[False], [True], [False], [True]])
     expected = [[1 + 2 * 0.5], [2.0], [4 + 8 * 0.5], [8.0]]
     np.testing.assert_allclose(discounted_returns(reward, ended, 0.5), expected)
+
+
+def test_one_step_targets_look_at_the_next_state_unless_there_is_none():
+    reward, value = np.array([[1.0, 2.0]]), np.array([[10.0, 20.0]])
+    terminated = np.array([[False, True]])
+    np.testing.assert_allclose(one_step_targets(reward, terminated, value, 0.5), [[6.0, 2.0]])

@@ -3,12 +3,15 @@
 import csv
 import dataclasses
 import json
+import math
 
 import pytest
+import torch
 
 from socialnav_core.config import ConfigError
 from socialnav_core.policies import load_policy
 from socialnav_core.policies.checkpoint import checkpoint_digest, CheckpointError
+from socialnav_core.settings import to_mapping
 from socialnav_core.simulation import make_scenario, Simulator
 from socialnav_core.training import train, value_learning
 from socialnav_core.training.progress import COLUMNS
@@ -61,11 +64,16 @@ def test_resumed_run_ends_with_the_weights_of_an_uninterrupted_one(
     assert checkpoint_digest(tmp_path / 'cut') == checkpoint_digest(tmp_path / 'whole')
 
 
+@pytest.mark.parametrize('scheduler', ['smooth', 'baby_step', 'one_pass'])
 def test_resumed_curriculum_run_ends_with_the_weights_of_an_uninterrupted_one(
-    tiny_config, tmp_path, monkeypatch
+    tiny_config, tmp_path, monkeypatch, scheduler
 ):
     curriculum = dataclasses.replace(
-        tiny_config.training.curriculum, enabled=True, target_success=0.0, window=1
+        tiny_config.training.curriculum,
+        enabled=True,
+        scheduler=scheduler,
+        target_success=0.0,
+        window=1,
     )
     config = with_training(tiny_config, curriculum=curriculum, iterations=20)
     config = dataclasses.replace(
@@ -76,6 +84,82 @@ def test_resumed_curriculum_run_ends_with_the_weights_of_an_uninterrupted_one(
     train(config, tmp_path / 'cut', resume=True, progress=False)
     assert progress_rows(tmp_path / 'cut')[-1]['obstacle_radius'] != '0.3'
     assert checkpoint_digest(tmp_path / 'cut') == checkpoint_digest(tmp_path / 'whole')
+
+
+def reported(config):
+    """Return the configuration with everything that the recipe of the report does otherwise."""
+    return with_training(
+        config, episodes=14, updates_per_episode=2, store_timeouts=False, optimizer='sgd',
+        trace_decay=0.0, target_update_episodes=3, gradient_clip=math.inf,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize('iterations', [0, 15, 22])
+def test_resumed_run_by_the_reports_recipe_ends_like_an_uninterrupted_one(
+    tiny_config, tmp_path, monkeypatch, iterations
+):
+    config = reported(tiny_config)
+    train(config, tmp_path / 'whole', progress=False)
+    interrupted(monkeypatch, config, tmp_path / 'cut', iterations)
+    train(config, tmp_path / 'cut', resume=True, progress=False)
+    assert checkpoint_digest(tmp_path / 'cut') == checkpoint_digest(tmp_path / 'whole')
+
+
+def test_run_of_a_given_length_in_episodes_ends_with_them(tiny_config, tmp_path):
+    train(reported(tiny_config), tmp_path / 'run', progress=False)
+    episodes = [int(row['episodes']) for row in progress_rows(tmp_path / 'run')]
+    assert episodes[-1] >= 14 > episodes[-2]
+
+
+def test_updates_follow_the_episodes_that_ended(tiny_config):
+    run = value_learning.Run(reported(tiny_config))
+    value_learning.begin(run, progress=False)
+    for _ in range(16):
+        before, ended = run.network.state_dict()['value.0.weight'].clone(), run.ended_episodes
+        row = value_learning.iterate(run)
+        same = torch.equal(run.network.state_dict()['value.0.weight'], before)
+        assert same == (run.ended_episodes == ended) == (row['loss'] != row['loss'])
+    assert run.ended_episodes
+
+
+def test_targets_are_renewed_when_enough_episodes_have_ended(tiny_config):
+    run = value_learning.Run(reported(tiny_config))
+    value_learning.begin(run, progress=False)
+    renewals = 0
+    for _ in range(20):
+        target = run.target_network.state_dict()['value.0.weight'].clone()
+        ended = run.ended_episodes
+        value_learning.iterate(run)
+        due = run.ended_episodes // 3 > ended // 3
+        now = run.target_network.state_dict()['value.0.weight']
+        assert torch.equal(now, target) != due
+        renewals += due
+    assert renewals
+
+
+def test_states_of_timeouts_are_replayed_only_where_wished(tiny_config):
+    short = dataclasses.replace(tiny_config.scenario, time_limit=0.5)
+    imitation = dataclasses.replace(tiny_config.training.imitation, episodes=0)
+    sizes = []
+    for store in (True, False):
+        config = with_training(tiny_config, store_timeouts=store, imitation=imitation)
+        run = value_learning.Run(dataclasses.replace(config, scenario=short))
+        value_learning.begin(run, progress=False)
+        value_learning.iterate(run)
+        sizes.append(run.buffer.size)
+    assert sizes == [24, 0]
+
+
+def test_state_that_lacks_newer_settings_had_their_defaults(tiny_config, tmp_path, monkeypatch):
+    def without_newer(config):
+        values = to_mapping(config)
+        del values['training']['optimizer'], values['training']['curriculum']['scheduler']
+        return values
+
+    with monkeypatch.context() as patch:
+        patch.setattr('socialnav_core.training.checkpoint.to_mapping', without_newer)
+        interrupted(monkeypatch, tiny_config, tmp_path / 'run', 1)
+    train(tiny_config, tmp_path / 'run', resume=True, progress=False)
 
 
 def progress_rows(folder):

@@ -26,7 +26,10 @@ setup(
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),
-        (f'share/{PACKAGE}/config', sorted(glob('config/*'))),
+        *(
+            (f'share/{PACKAGE}/{folder}', sorted(glob(f'{folder}/*.*')))
+            for folder in ('config', 'launch', 'rviz')
+        ),
         *model_files(),
     ],
     install_requires=['setuptools'],

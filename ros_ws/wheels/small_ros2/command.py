@@ -7,8 +7,11 @@ import signal
 import sys
 
 GROUPS = {
+    'lifecycle': 'list managed nodes, show and change their states',
     'node': 'list the nodes of the graph, show what one offers and uses',
+    'param': 'list, print, change and describe parameters',
     'run': 'run an executable of a package',
+    'service': 'list and call services',
     'topic': 'list, describe, print and measure topics',
 }
 """What each group does, by the name of its module, which has add_arguments(parser)."""

@@ -5,10 +5,12 @@ import random
 from threading import Thread
 
 from geometry_msgs.msg import PoseStamped
+from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
 import rclpy
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import String
+from std_srvs.srv import SetBool
 
 WORKSPACE = Path(__file__).resolve().parents[2]
 ISOLATION = {
@@ -23,6 +25,10 @@ RATE = 20.0
 """Of the pose, Hz."""
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 RELIABLE = QoSProfile(depth=1)
+SPEED = ParameterDescriptor(
+    description='speed to walk at [m/s]',
+    floating_point_range=[FloatingPointRange(from_value=0.0, to_value=2.0)],
+)
 UNRELIABLE = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
 
 
@@ -41,6 +47,9 @@ class Talker:
         self.node.create_publisher(String, '/_secret', 1)
         self.node.create_subscription(String, '/heard', lambda _: None, 1)
         self.node.create_timer(1.0 / RATE, self.talk)
+        self.node.declare_parameter('speed', 0.5, SPEED)
+        self.node.declare_parameter('waypoints', [1, 2])
+        self.node.create_service(SetBool, 'mute', self.on_mute)
         self.executor = SingleThreadedExecutor()
         self.executor.add_node(self.node)
         self.thread = Thread(target=self.spin)
@@ -54,6 +63,12 @@ class Talker:
         self.pose.publish(message)
         for voice, word in zip(self.voices, ('reliable', 'unreliable'), strict=True):
             voice.publish(String(data=word))
+
+    def on_mute(self, request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
+        """Answer with what was asked."""
+        response.success = True
+        response.message = f'data was {request.data}'
+        return response
 
     def spin(self) -> None:
         """Publish until the node is closed."""

@@ -1,0 +1,53 @@
+"""Laws of the cache of compiled kernels."""
+
+import os
+
+import numba
+import numpy as np
+import pytest
+
+from socialnav_core import compilation
+
+
+@pytest.fixture
+def package(tmp_path, monkeypatch):
+    """Return a package with one kernel, forgotten afterwards."""
+    for folder in ('simulation', 'policies'):
+        (tmp_path / folder).mkdir()
+    (tmp_path / 'simulation' / 'kernel.py').write_text('@compiled\ndef one(): return 1\n')
+    monkeypatch.setattr(compilation, 'PACKAGE', tmp_path)
+    monkeypatch.delenv('NUMBA_CACHE_DIR', raising=False)
+    compilation.cache_folder.cache_clear()
+    yield tmp_path
+    compilation.cache_folder.cache_clear()
+
+
+def test_a_change_of_any_kernel_makes_another_cache(package):
+    before = compilation.sources_digest()
+    (package / 'policies' / 'caller.py').write_text('@compiled\ndef two(): return one() + 1\n')
+    between = compilation.sources_digest()
+    (package / 'simulation' / 'kernel.py').write_text('@compiled\ndef one(): return 2\n')
+    assert len({before, between, compilation.sources_digest()}) == 3
+
+
+def test_files_without_kernels_leave_the_cache_as_it_is(package):
+    before = compilation.sources_digest()
+    (package / 'policies' / 'plain.py').write_text('def three(): return 3\n')
+    assert compilation.sources_digest() == before
+
+
+def test_a_package_that_cannot_be_written_to_is_cached_for_the_user(package, monkeypatch):
+    monkeypatch.setattr(os, 'access', lambda *_: False)
+    monkeypatch.setenv('XDG_CACHE_HOME', str(package / 'cache'))
+    assert compilation.cache_folder().parts[-4:-1] == ('cache', 'socialnav', 'kernels')
+
+
+def test_a_compiled_function_leaves_other_users_of_numba_alone():
+    before = numba.config.CACHE_DIR
+
+    @compilation.compiled
+    def double(x):  # type: ignore[no-untyped-def]
+        return 2 * x
+
+    assert np.array_equal(double(np.arange(3)), [0, 2, 4])
+    assert before == numba.config.CACHE_DIR
