@@ -1,5 +1,6 @@
 """Screening of actions: after a safe one there is a way out (cf. Fiorini and Shiller 1998)."""
 
+from collections.abc import Iterator
 import math
 
 import numpy as np
@@ -65,18 +66,42 @@ def safe_actions(
     pieces = 1 if straight else max(1, round(config.horizon / time_step))
     duration = config.horizon / pieces
     free = np.ones((batch, actions * actions), bool)
-    for _ in range(pieces):
-        motion = escapes
-        if ramp is not None:
-            following = reachable(kinematics, escapes, present, ramp, duration)
-            motion = mean_command(kinematics, present, following)
-            present = following
-        displacement, _, heading = move_robot(kinematics, heading, motion, duration)
+    for displacement in motions(kinematics, heading, present, escapes, ramp, duration, pieces):
         free &= is_free(state, start, displacement, position, agent_velocity, duration, gaps)
         start, position = start + displacement, position + agent_velocity * duration
     escapable = first & free.reshape(batch, actions, actions).any(axis=-1)
     fallback = np.where(first.any(axis=1, keepdims=True), first, True)
     return np.where(escapable.any(axis=1, keepdims=True), escapable, fallback)
+
+
+def motions(
+    kinematics: str,
+    heading: np.ndarray,
+    present: np.ndarray,
+    commands: np.ndarray,
+    limits: Limits | None,
+    duration: float,
+    pieces: int,
+) -> Iterator[np.ndarray]:
+    """
+    Yield how far robots move in each piece of time, m, (batch, motions, 2).
+
+    :param kinematics: holonomic or differential.
+    :param heading: at the beginning, rad, (batch, motions).
+    :param present: commands at the beginning, (batch, motions, 2).
+    :param commands: what they change to, (batch, motions, 2).
+    :param limits: how fast that goes; None for at once.
+    :param duration: of a piece, s.
+    :param pieces: how many there are.
+    """
+    for _ in range(pieces):
+        motion = commands
+        if limits is not None:
+            following = reachable(kinematics, commands, present, limits, duration)
+            motion = mean_command(kinematics, present, following)
+            present = following
+        displacement, _, heading = move_robot(kinematics, heading, motion, duration)
+        yield displacement
 
 
 def distances_to_keep(
