@@ -10,6 +10,7 @@ from socialnav_core.config import ConfigError, PolicyConfig
 from socialnav_core.policies.inference import ValueInference
 from socialnav_core.policies.safety import safe_actions
 from socialnav_core.simulation.kinematics import action_set, move_robot, scale_actions
+from socialnav_core.simulation.limits import Limits, present_command, reachable
 from socialnav_core.simulation.observation import observe, observe_candidates
 from socialnav_core.simulation.rewards import Outcome, reward_settings, step_outcomes
 from socialnav_core.states import CrowdState
@@ -40,7 +41,8 @@ class ValuePolicy:
     Takes the action with the greatest r(s, a) + gamma ** (dt * v_pref) * V(s').
 
     s' is predicted: the robot does what the action says; pedestrians keep their velocity
-    (constant_velocity) or do what the simulator knows that they will do (oracle).
+    (constant_velocity) or do what the simulator knows that they will do (oracle). Where `limits`
+    is set, the actions are what the robot can do until its next command.
     """
 
     def __init__(self, network: nn.Module, config: PolicyConfig, bfloat16: bool = False) -> None:
@@ -55,6 +57,7 @@ class ValuePolicy:
         self.config = config
         self.kinematics = config.kinematics
         self.oracle: Callable[[], np.ndarray] | None = None
+        self.limits: Limits | None = None
         self._inference = ValueInference(network, bfloat16)
         self._actions = action_set(config)
         self._settings = reward_settings(config.reward, config.goal_tolerance)
@@ -77,7 +80,8 @@ class ValuePolicy:
         """
         config = self.config
         velocities = self.predicted_velocities(state)
-        commands = scale_actions(self.kinematics, self._actions, state.robot_preferred_speed)
+        wanted = scale_actions(self.kinematics, self._actions, state.robot_preferred_speed)
+        commands = self._reachable(state, wanted)
         displacement, velocity, heading = move_robot(
             self.kinematics, state.robot_heading[:, None], commands, config.time_step
         )
@@ -103,7 +107,7 @@ class ValuePolicy:
             )
             values[going] += discount[world].astype(np.float32) * next_values
         if config.screening.enabled:
-            safe = self._safe(state, commands, velocities)
+            safe = self._safe(state, commands, velocities, wanted)
             values[~safe & (outcome != Outcome.GOAL)] = -np.inf
         return Decision(commands, values, values.argmax(axis=1))
 
@@ -132,9 +136,18 @@ class ValuePolicy:
     def reset(self) -> None:
         """Do nothing: a decision depends on the present state alone."""
 
-    def _safe(self, state: CrowdState, commands: np.ndarray, velocities: np.ndarray) -> np.ndarray:
+    def _reachable(self, state: CrowdState, wanted: np.ndarray) -> np.ndarray:
+        """Return the commands nearest to those wanted that the limits allow."""
+        if self.limits is None:
+            return wanted
+        present = present_command(self.kinematics, state)[:, None]
+        return reachable(self.kinematics, wanted, present, self.limits, self.limits.period)
+
+    def _safe(
+        self, state: CrowdState, commands: np.ndarray, velocities: np.ndarray, wanted: np.ndarray
+    ) -> np.ndarray:
         """Return which actions may be chosen, bool (batch, actions)."""
         return safe_actions(
             state, commands, velocities, self.kinematics, self.config.time_step,
-            self.config.screening, exact=self.config.lookahead == 'oracle',
+            self.config.screening, self.config.lookahead == 'oracle', self.limits, wanted,
         )  # fmt: skip

@@ -1,10 +1,14 @@
 """Screening of actions: after a safe one there is a way out (cf. Fiorini and Shiller 1998)."""
 
+from collections.abc import Iterator
+import math
+
 import numpy as np
 
 from socialnav_core.compilation import compiled
 from socialnav_core.config import ScreeningConfig
 from socialnav_core.simulation.kinematics import move_robot
+from socialnav_core.simulation.limits import Limits, mean_command, reachable
 from socialnav_core.simulation.rewards import swept_distance
 from socialnav_core.states import CrowdState
 
@@ -19,6 +23,8 @@ def safe_actions(
     time_step: float,
     config: ScreeningConfig,
     exact: bool = False,
+    limits: Limits | None = None,
+    wanted: np.ndarray | None = None,
 ) -> np.ndarray:
     """
     Return which actions are safe, bool (batch, actions).
@@ -26,7 +32,8 @@ def safe_actions(
     An action is safe when it is free of collisions itself and when, after it, one of the same
     actions stays so for the horizon, everybody else keeping to the predicted velocity. Where no
     action is safe, those free of collisions themselves are returned; where there is none of these
-    either, all are.
+    either, all are. A robot of limited acceleration escapes by changing from the action towards
+    one of the wanted commands.
 
     :param state: the worlds as they are.
     :param commands: candidate commands, (batch, actions, 2).
@@ -35,8 +42,12 @@ def safe_actions(
     :param time_step: how long an action lasts, s.
     :param config: horizon and margins.
     :param exact: whether the prediction is exact, so that pedestrians need no margin of their own.
+    :param limits: of the robot; None for none.
+    :param wanted: commands to escape towards where acceleration is limited, (batch, actions, 2);
+        the candidates where it is None.
     """
     batch, actions = commands.shape[:2]
+    ramp = None if limits is None or math.isinf(limits.acceleration) else limits
     gaps = distances_to_keep(state, agent_velocity, config, exact)
     displacement, _, heading = move_robot(
         kinematics, state.robot_heading[:, None], commands, time_step
@@ -48,18 +59,49 @@ def safe_actions(
     position = state.position + agent_velocity * time_step
     start = np.repeat(start + displacement, actions, axis=1)
     heading = np.repeat(np.broadcast_to(heading, (batch, actions)), actions, axis=1)
-    escapes = np.tile(commands, (1, actions, 1))
+    present = np.repeat(commands, actions, axis=1)
+    escapes = np.tile(commands if ramp is None or wanted is None else wanted, (1, actions, 1))
     # a straight line is checked in one piece, an arc in pieces that are nearly straight
-    pieces = 1 if kinematics == 'holonomic' else max(1, round(config.horizon / time_step))
+    straight = kinematics == 'holonomic' and ramp is None
+    pieces = 1 if straight else max(1, round(config.horizon / time_step))
     duration = config.horizon / pieces
     free = np.ones((batch, actions * actions), bool)
-    for _ in range(pieces):
-        displacement, _, heading = move_robot(kinematics, heading, escapes, duration)
+    for displacement in motions(kinematics, heading, present, escapes, ramp, duration, pieces):
         free &= is_free(state, start, displacement, position, agent_velocity, duration, gaps)
         start, position = start + displacement, position + agent_velocity * duration
     escapable = first & free.reshape(batch, actions, actions).any(axis=-1)
     fallback = np.where(first.any(axis=1, keepdims=True), first, True)
     return np.where(escapable.any(axis=1, keepdims=True), escapable, fallback)
+
+
+def motions(
+    kinematics: str,
+    heading: np.ndarray,
+    present: np.ndarray,
+    commands: np.ndarray,
+    limits: Limits | None,
+    duration: float,
+    pieces: int,
+) -> Iterator[np.ndarray]:
+    """
+    Yield how far robots move in each piece of time, m, (batch, motions, 2).
+
+    :param kinematics: holonomic or differential.
+    :param heading: at the beginning, rad, (batch, motions).
+    :param present: commands at the beginning, (batch, motions, 2).
+    :param commands: what they change to, (batch, motions, 2).
+    :param limits: how fast that goes; None for at once.
+    :param duration: of a piece, s.
+    :param pieces: how many there are.
+    """
+    for _ in range(pieces):
+        motion = commands
+        if limits is not None:
+            following = reachable(kinematics, commands, present, limits, duration)
+            motion = mean_command(kinematics, present, following)
+            present = following
+        displacement, _, heading = move_robot(kinematics, heading, motion, duration)
+        yield displacement
 
 
 def distances_to_keep(

@@ -7,17 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from socialnav.clamping import clamp_differential, clamp_holonomic
 from socialnav.controller_settings import ControllerSettings
 from socialnav.conversions import ConversionError, crowd_state, nearest_agents, rotate
 from socialnav.extrapolation import extrapolate
 from socialnav.inputs import Inputs
+from socialnav.reasons import ARRIVED, STALLED
 from socialnav.runs import Run
-from socialnav_core.policies import Policy
+from socialnav.tally import Tally
+from socialnav_core.policies import Policy, ValuePolicy
+from socialnav_core.simulation.limits import present_command, reachable
 from socialnav_core.states import CrowdState
 
-ARRIVED = 'goal reached'
-STALLED = 'no decision any more: the clock has stopped or the decision hangs'
 NO_COMMAND = np.zeros(2)
 
 
@@ -33,6 +33,16 @@ class Decision:
     """False once the robot has stood for so long that others may command it."""
     stamp: int = 0
     """Time of the state that is answered, ns."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Intention:
+    """What the latest decision was about."""
+
+    state: CrowdState
+    """The world when the command takes effect, batch of one."""
+    command: np.ndarray
+    """(vx, vy) in the world frame, m/s, or speed and turn rate, (2,)."""
 
 
 class Controller:
@@ -53,6 +63,8 @@ class Controller:
         """
         self.settings = settings
         self.goal_reached = False
+        self.tally = Tally()
+        self.intention: Intention | None = None
         self._policy = policy
         self._steady = steady
         self._inputs = Inputs()
@@ -69,6 +81,24 @@ class Controller:
         :param message: of that topic.
         """
         self._inputs.store(name, message)
+
+    def cancel_goal(self) -> bool:
+        """Forget the goal, so that the robot stands; return whether there was one."""
+        return self._inputs.cancel_goal()
+
+    def input_ages(self, now: int) -> dict[str, float]:
+        """
+        Return how old each input is that has come, s.
+
+        :param now: ns, on the clock of the stamps.
+        """
+        return self._inputs.ages(now)
+
+    def attention(self) -> np.ndarray | None:
+        """Return how much the policy looked at each agent, (agents,); None where it does not."""
+        if self.intention is None or not isinstance(self._policy, ValuePolicy):
+            return None
+        return self._policy.attention(self.intention.state)[0]
 
     def take_complete_state(self) -> bool:
         """Return whether a whole state of a world in lockstep waits for its decision."""
@@ -93,6 +123,7 @@ class Controller:
 
     def _choose(self, now: int) -> tuple[np.ndarray, str | None]:
         """Return a command and, where it is zero for want of something, the reason."""
+        self.intention = None
         reason = self._inputs.complaint(now, self.settings)
         if reason is not None:
             return NO_COMMAND, reason
@@ -135,6 +166,8 @@ class Controller:
 
     def _drive(self, state: CrowdState) -> tuple[np.ndarray, str | None]:
         """Return the command that the policy chooses, within the limits."""
+        if isinstance(self._policy, ValuePolicy):  # others choose freely and are clamped
+            self._policy.limits = self.settings.limits
         began = self._steady()
         try:
             command = np.asarray(self._policy.act(state)[0], dtype=float)
@@ -144,19 +177,29 @@ class Controller:
             return NO_COMMAND, f'the decision failed: {type(error).__name__}: {error}'
         elapsed = self._steady() - began
         self._latency = min(elapsed, self.settings.period)
+        self.tally.decisions += 1
+        self.tally.decision_time = elapsed
         if not self.settings.lockstep and elapsed > self.settings.period:
+            self.tally.late += 1
             return NO_COMMAND, f'the decision took {elapsed:.2f} s, longer than a period'
         if not np.isfinite(command).all():
             return NO_COMMAND, f'the policy chose {command.tolist()}, which is no velocity'
-        return self._executable(command, state), None
+        executable = self._executable(command, state)
+        self.intention = Intention(state, executable)
+        self.tally.clamped += not np.allclose(executable, command, rtol=0, atol=1e-9)
+        return self._in_base_frame(executable, state), None
 
     def _executable(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
-        """Return a command of the policy as the robot takes it."""
-        limits, period = self.settings.limits, self.settings.period
-        heading, velocity = float(state.robot_heading[0]), state.robot_velocity[0]
+        """Return a command of the policy within the limits, where it should be already."""
+        settings = self.settings
+        present = present_command(settings.kinematics, state)[0]
+        return reachable(settings.kinematics, command, present, settings.limits, settings.period)
+
+    def _in_base_frame(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
+        """Return a command as the robot takes it."""
         if self.settings.kinematics == 'differential':
-            return clamp_differential(command, rotate(velocity, -heading)[0], limits, period)
-        return rotate(clamp_holonomic(command, velocity, limits, period), -heading)
+            return command
+        return rotate(command, -float(state.robot_heading[0]))
 
     def _to_be_published(self, reason: str | None) -> bool:
         """Return whether a decision is worth a message; count how long the robot has stood."""

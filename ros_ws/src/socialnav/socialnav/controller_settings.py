@@ -4,10 +4,10 @@ import dataclasses
 import math
 from typing import Any
 
-from socialnav.clamping import Limits
 from socialnav.conversions import RobotBody
 from socialnav_core.config import Scenario
 from socialnav_core.simulation import resolve_scenario
+from socialnav_core.simulation.limits import Limits
 
 
 @dataclasses.dataclass(frozen=True)
@@ -68,10 +68,12 @@ def real_time_settings(values: dict[str, Any]) -> ControllerSettings:
         'kinematics', 'goal_tolerance', 'max_agents', 'planning_frame', 'input_timeout',
         'obstacles_timeout', 'require_obstacles', 'stop_publish_timeout',
     )  # fmt: skip
+    limits = (values[name] for name in ('max_speed', 'max_acceleration', 'max_turn_rate'))
+    period = 1 / values['controller_frequency']
     return ControllerSettings(
         body=RobotBody(values['robot_radius'], values['preferred_speed'], values['bounds']),
-        limits=Limits(values['max_speed'], values['max_acceleration'], values['max_turn_rate']),
-        period=1 / values['controller_frequency'],
+        limits=Limits(*limits, period),
+        period=period,
         **{name: values[name] for name in same_name},
     )
 
@@ -86,7 +88,7 @@ def lockstep_settings(values: dict[str, Any], scenario: Scenario) -> ControllerS
     speed = scenario.robot_preferred_speed
     return ControllerSettings(
         body=RobotBody(scenario.robot_radius, speed, scenario.bounds),
-        limits=Limits(speed, math.inf, math.inf),
+        limits=Limits(speed, math.inf, math.inf, scenario.time_step),
         kinematics=scenario.kinematics,
         goal_tolerance=scenario.goal_tolerance,
         period=scenario.time_step,

@@ -122,7 +122,7 @@ def listen(listener: DemoNode, nodes: Nodes, episodes: int) -> None:
     :param listener: hears the topics.
     :param nodes: the processes that must live.
     :param episodes: how many to wait for.
-    :raises DemoError: a node died, or nothing new came for a minute.
+    :raises DemoError: a node died or cannot be used, or nothing new came for a minute.
     """
     executor = SingleThreadedExecutor()
     executor.add_node(listener)
@@ -135,6 +135,8 @@ def listen(listener: DemoNode, nodes: Nodes, episodes: int) -> None:
         dead = {name: node.poll() for name, node in nodes.items() if node.poll() is not None}
         for name, code in dead.items():
             raise DemoError(f'{name} ended with exit code {code}')
+        if listener.problem is not None:
+            raise DemoError(f'policy_node: {listener.problem}')
         if time.monotonic() - listener.latest_progress > SILENCE:
             raise DemoError(f'nothing new for {SILENCE:g} s')
     executor.shutdown()

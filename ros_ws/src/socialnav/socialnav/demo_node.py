@@ -4,11 +4,13 @@ from functools import partial
 import time
 from typing import Any
 
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Odometry
 from rclpy.node import Node
 
 from socialnav import qos
+from socialnav.diagnostics import is_unusable
 from socialnav.episode_recorder import EpisodeRecorder
 from socialnav_msgs.msg import AgentStates, EpisodeResult
 
@@ -22,6 +24,7 @@ class DemoNode(Node):
         self.recorder = EpisodeRecorder()
         self.results: list[EpisodeResult] = []
         self.latest_progress = time.monotonic()
+        self.problem: str | None = None
         for name, kind, profile in (
             ('odom', Odometry, qos.RECORDING),
             ('pedestrians', AgentStates, qos.RECORDING),
@@ -31,6 +34,9 @@ class DemoNode(Node):
             self.create_subscription(kind, name, partial(self.on_input, name), profile)
         self.create_subscription(
             EpisodeResult, 'episode_result', self.on_result, qos.LATCHED_RECORDING
+        )
+        self.create_subscription(
+            DiagnosticArray, '/diagnostics', self.on_diagnostics, qos.DIAGNOSTICS
         )
 
     def on_input(self, name: str, message: Any) -> None:
@@ -51,3 +57,13 @@ class DemoNode(Node):
         """
         self.recorder.store_result(result)
         self.results.append(result)
+
+    def on_diagnostics(self, message: DiagnosticArray) -> None:
+        """
+        Store why the policy cannot drive.
+
+        :param message: health of a node.
+        """
+        for status in message.status:
+            if status.name == 'policy_node' and is_unusable(status):
+                self.problem = status.message

@@ -2,6 +2,8 @@
 
 from typing import Any
 
+from geometry_msgs.msg import PoseStamped
+
 from socialnav.controller_settings import ControllerSettings
 from socialnav.stamps import nanoseconds_of
 
@@ -19,16 +21,33 @@ class Inputs:
     def __init__(self) -> None:
         self._newest: dict[str, Any] = {}
         self._unread: set[str] = set()
+        self._cancelled: PoseStamped | None = None
 
     def store(self, name: str, message: Any) -> None:
         """
-        Keep a message in place of the earlier one.
+        Keep a message in place of the earlier one; a goal that was cancelled does not come back.
 
         :param name: one of NAMES.
         :param message: it has a header.
         """
+        if name == 'goal_pose' and message == self._cancelled:
+            return
         self._newest[name] = message
         self._unread.add(name)
+
+    def cancel_goal(self) -> bool:
+        """Forget the goal; return whether there was one."""
+        goal = self._newest.pop('goal_pose', None)
+        self._cancelled = goal or self._cancelled
+        return goal is not None
+
+    def ages(self, now: int) -> dict[str, float]:
+        """
+        Return how old the inputs are that there are, s.
+
+        :param now: ns, on the clock of the stamps.
+        """
+        return {name: (now - self.stamp(name)) * 1e-9 for name in NAMES if name in self._newest}
 
     def newest(self, name: str) -> Any:
         """
@@ -72,7 +91,7 @@ class Inputs:
         timeouts = dict.fromkeys(AGEING, settings.input_timeout)
         if settings.obstacles_timeout > 0 and 'obstacles' in self._newest:
             timeouts['obstacles'] = settings.obstacles_timeout
-        ages = {name: (now - self.stamp(name)) * 1e-9 for name in timeouts}
+        ages = self.ages(now)
         complaints = (age_complaint(name, ages[name], timeouts[name]) for name in timeouts)
         return next(filter(None, complaints), None)
 

@@ -9,12 +9,13 @@ from socialnav.conversions import quaternion_of
 from socialnav.stamps import header_message
 from socialnav_core.states import CrowdState
 
-HEIGHTS = {'pedestrians': 1.6, 'obstacles': 1.0, 'robot': 0.6, 'goal': 0.02}
+HEIGHTS = {'pedestrians': 1.6, 'obstacles': 1.0, 'robot': 0.6, 'goal': 0.02, 'attention': 0.04}
 COLORS = {
     'pedestrians': ColorRGBA(r=0.84, g=0.37, b=0.0, a=0.9),
     'obstacles': ColorRGBA(r=0.4, g=0.4, b=0.4, a=1.0),
     'robot': ColorRGBA(r=0.0, g=0.45, b=0.7, a=1.0),
     'goal': ColorRGBA(r=0.0, g=0.62, b=0.45, a=0.8),
+    'attention': ColorRGBA(r=0.8, g=0.47, b=0.65, a=1.0),
 }
 
 

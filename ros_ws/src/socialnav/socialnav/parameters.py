@@ -1,5 +1,6 @@
 """Every parameter of every node, in one table each: name, default, range, unit, description."""
 
+from collections.abc import Callable
 import dataclasses
 import math
 from typing import Any
@@ -36,8 +37,8 @@ class Entry:
     """Smallest and largest value."""
     choices: tuple[str, ...] = ()
     """All values of a text that has only few."""
-    live: bool = False
-    """Whether it can be changed while the node runs."""
+    live: str = 'no'
+    """Whether it can be changed while the node runs: yes, no or only while it is inactive."""
 
 
 KINEMATICS = ('holonomic', 'differential')
@@ -47,11 +48,11 @@ SIMULATOR_PARAMETERS = (
     Entry('seed', 0, 'seed of the test cases 0, 1, 2, ...', range=(0, 10**9)),
     Entry('episodes', 0, 'episodes to run before the world stands; 0: endless', range=(0, 10**6)),
     Entry('lockstep', False, 'one step of the world per command instead of real time'),
-    Entry('real_time_factor', 1.0, 'simulated time per real time', '', (0.01, 100.0), live=True),
+    Entry('real_time_factor', 1.0, 'simulated time per real time', '', (0.01, 100.0), live='yes'),
     Entry('publish_rate', 20.0, 'states published per second (real time)', 'Hz', (1.0, 1000.0)),
     Entry(
         'cmd_vel_timeout', 0.5, 'simulated time without a command after which the robot brakes',
-        's', (0.05, 10.0), live=True,
+        's', (0.05, 10.0), live='yes',
     ),
     Entry('kinematics', 'holonomic', 'how the robot moves', choices=KINEMATICS),
     Entry('robot_visible', False, 'whether pedestrians see the robot and avoid it'),
@@ -63,50 +64,62 @@ SIMULATOR_PARAMETERS = (
 )  # fmt: skip
 
 POLICY_PARAMETERS = (
-    Entry('model', DEFAULT_MODEL, 'name in the share folder, path, `orca` or `straight_line`'),
+    Entry('autostart', True, 'configure and activate at start, without a lifecycle manager'),
+    Entry(
+        'model', DEFAULT_MODEL, 'name in the share folder, path, `orca` or `straight_line`',
+        live='inactive',
+    ),
     Entry(
         'screening', 'checkpoint',
         'refuse actions after which a collision is certain; checkpoint: as saved',
-        choices=('checkpoint', 'enabled', 'disabled'),
+        choices=('checkpoint', 'enabled', 'disabled'), live='inactive',
     ),
-    Entry('lockstep', False, 'decide once per state of a simulator in lockstep'),
-    Entry('scenario', 'hard', 'world that gives radius, speed and bounds in lockstep'),
-    Entry('controller_frequency', 10.0, 'decisions per second', 'Hz', (1.0, 100.0)),
+    Entry('lockstep', False, 'decide once per state of a simulator in lockstep', live='inactive'),
+    Entry(
+        'scenario', 'hard', 'world that gives radius, speed and bounds in lockstep',
+        live='inactive',
+    ),
+    Entry(
+        'controller_frequency', 10.0, 'decisions per second', 'Hz', (1.0, 100.0), live='inactive',
+    ),
     Entry(
         'input_timeout', 0.5, 'age of odom or pedestrians at which the robot stops',
-        's', (0.05, 10.0), live=True,
+        's', (0.05, 10.0), live='yes',
     ),
     Entry(
         'obstacles_timeout', 0.0, 'age of obstacles at which the robot stops; 0: they do not age',
-        's', (0.0, 3600.0), live=True,
+        's', (0.0, 3600.0), live='yes',
     ),
-    Entry('require_obstacles', False, 'stand until obstacles have come', live=True),
+    Entry('require_obstacles', False, 'stand until obstacles have come', live='yes'),
     Entry(
         'stop_publish_timeout', 10.0, 'go silent after nothing but stops for so long; 0: never',
-        's', (0.0, 3600.0), live=True,
+        's', (0.0, 3600.0), live='yes',
     ),
     Entry(
         'bounds', math.inf, 'half-width of the square around the origin not to be left',
-        'm', (0.1, math.inf), live=True,
+        'm', (0.1, math.inf), live='yes',
     ),
-    Entry('robot_radius', 0.3, 'radius of the robot', 'm', (0.05, 5.0), live=True),
-    Entry('preferred_speed', 1.0, 'speed to drive at', 'm/s', (0.05, 5.0), live=True),
-    Entry('kinematics', 'holonomic', 'how the robot moves', choices=KINEMATICS),
-    Entry('max_speed', 1.0, 'no command is faster', 'm/s', (0.0, 5.0), live=True),
+    Entry('robot_radius', 0.3, 'radius of the robot', 'm', (0.05, 5.0), live='yes'),
+    Entry('preferred_speed', 1.0, 'speed to drive at', 'm/s', (0.05, 5.0), live='yes'),
+    Entry('kinematics', 'holonomic', 'how the robot moves', choices=KINEMATICS, live='inactive'),
+    Entry('max_speed', 1.0, 'no command is faster', 'm/s', (0.0, 5.0), live='yes'),
     Entry(
         'max_acceleration', math.inf, 'no command changes the velocity faster',
-        'm/s^2', (0.01, math.inf), live=True,
+        'm/s^2', (0.01, math.inf), live='yes',
     ),
-    Entry('max_turn_rate', math.pi, 'no command turns faster', 'rad/s', (0.0, 20.0), live=True),
+    Entry('max_turn_rate', math.pi, 'no command turns faster', 'rad/s', (0.0, 20.0), live='yes'),
     Entry(
         'goal_tolerance', 0.3, 'distance to the goal at which it is reached',
-        'm', (0.01, 5.0), live=True,
+        'm', (0.01, 5.0), live='yes',
     ),
-    Entry('max_agents', 20, 'only the nearest so many agents count', '', (1, 1000), live=True),
-    Entry('planning_frame', 'odom', 'frame that all inputs must be in'),
-    Entry('base_frame', 'base_link', 'frame of stamped commands'),
-    Entry('enable_stamped_cmd_vel', False, 'TwistStamped instead of Twist; lockstep always does'),
-    Entry('threads', 1, 'threads of a decision', '', (1, 64)),
+    Entry('max_agents', 20, 'only the nearest so many agents count', '', (1, 1000), live='yes'),
+    Entry('planning_frame', 'odom', 'frame that all inputs must be in', live='inactive'),
+    Entry('base_frame', 'base_link', 'frame of stamped commands', live='inactive'),
+    Entry(
+        'enable_stamped_cmd_vel', False, 'TwistStamped instead of Twist; lockstep always does',
+        live='inactive',
+    ),
+    Entry('threads', 1, 'threads of a decision', '', (1, 64), live='inactive'),
 )  # fmt: skip
 
 
@@ -160,7 +173,9 @@ def descriptor(entry: Entry) -> ParameterDescriptor:
     return result
 
 
-def declare(node: Node, table: tuple[Entry, ...]) -> dict[str, Any]:
+def declare(
+    node: Node, table: tuple[Entry, ...], active: Callable[[], bool] = lambda: True
+) -> dict[str, Any]:
     """
     Declare all parameters of a node and return their values.
 
@@ -168,10 +183,11 @@ def declare(node: Node, table: tuple[Entry, ...]) -> dict[str, Any]:
 
     :param node: whose parameters they are.
     :param table: the entries.
+    :param active: tells whether the node drives.
     :raises ParameterError: a value of the wrong type or outside of its range.
     """
     values = {entry.name: declared(node, entry) for entry in table}
-    node.add_on_set_parameters_callback(lambda changes: judged(table, changes))
+    node.add_on_set_parameters_callback(lambda changes: judged(table, changes, active()))
     return values
 
 
@@ -191,29 +207,43 @@ def declared(node: Node, entry: Entry) -> Any:
     return value
 
 
-def judged(table: tuple[Entry, ...], changes: list) -> SetParametersResult:
+def judged(table: tuple[Entry, ...], changes: list, active: bool) -> SetParametersResult:
     """
     Return whether changes of a running node are accepted, and why not.
 
     :param table: the entries.
     :param changes: parameters of rclpy.
+    :param active: whether the node drives.
     """
     entries = {entry.name: entry for entry in table}
     for change in changes:
         entry = entries.get(change.name)
-        reason = None if entry is None else refusal(entry, change.value)
+        reason = None if entry is None else refusal(entry, change.value, active)
         if reason is not None:
             return SetParametersResult(successful=False, reason=reason)
     return SetParametersResult(successful=True)
 
 
-def refusal(entry: Entry, value: object) -> str | None:
+def refusal(entry: Entry, value: object, active: bool) -> str | None:
     """
     Return why a running node refuses a value, or None.
 
     :param entry: the parameter.
     :param value: what it should become.
+    :param active: whether the node drives.
     """
-    if not entry.live:
+    if entry.live == 'no':
         return f'{entry.name} cannot change while the node runs: start it with another value'
+    if entry.live == 'inactive' and active:
+        return f'{entry.name} cannot change while the node drives: deactivate it first'
     return complaint(entry, value)
+
+
+def fixed_values(table: tuple[Entry, ...], values: dict[str, Any]) -> dict[str, Any]:
+    """
+    Return the values that cannot change while a node drives.
+
+    :param table: the entries.
+    :param values: of all parameters.
+    """
+    return {entry.name: values[entry.name] for entry in table if entry.live != 'yes'}

@@ -1,146 +1,155 @@
-"""The node that drives a robot: odometry, pedestrians, obstacles and a goal in, velocity out."""
+"""The node that drives a robot, managed: it can be configured, activated and stopped by others."""
 
-from functools import partial
 import sys
 
-from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
-from nav_msgs.msg import Odometry
-from rclpy.duration import Duration
-from rclpy.node import Node
-from std_msgs.msg import Bool
+from diagnostic_msgs.msg import DiagnosticArray
+from rclpy.clock import Clock, ClockType
+from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 
 from socialnav import qos
-from socialnav.commands import stamped_twist_message, twist_message
-from socialnav.controller import ARRIVED, Controller, Decision, NO_COMMAND
-from socialnav.controller_settings import controller_settings
-from socialnav.models import ready_policy
-from socialnav.parameters import declare, POLICY_PARAMETERS
+from socialnav.diagnostics import diagnostics_message
+from socialnav.driver import Driver
+from socialnav.parameters import declare, fixed_values, POLICY_PARAMETERS
 from socialnav.running import run
-from socialnav.watchdog import Watchdog
-from socialnav_msgs.msg import AgentStates
 
-LAST_WORD = Duration(nanoseconds=500_000_000)
-"""How long the node waits at its end for the last command to arrive."""
+SUCCESS, FAILURE = TransitionCallbackReturn.SUCCESS, TransitionCallbackReturn.FAILURE
+STEADY = ClockType.STEADY_TIME
+DIAGNOSIS_PERIOD = 1.0
+"""Time between two diagnoses, even where no other clock runs, s."""
 
 
-class PolicyNode(Node):
-    """Stores what comes in, decides at each tick or complete state, publishes the command."""
+class PolicyNode(LifecycleNode):
+    """Makes a driver when it is configured, lets it drive while it is active."""
 
     def __init__(self) -> None:
         """
-        Load the model and start.
+        Read the parameters and, with autostart, begin to drive.
 
-        :raises ValueError: a parameter or a model that cannot be used.
+        :raises ParameterError: a parameter that cannot be used.
         """
         super().__init__('policy_node')
-        self.values = declare(self, POLICY_PARAMETERS)
+        self.driver: Driver | None = None
+        self.label, self.problem = 'unconfigured', None
+        self.health = self.create_publisher(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
+        self.create_timer(DIAGNOSIS_PERIOD, self.diagnose, clock=Clock(clock_type=STEADY))
+        self.values = declare(self, POLICY_PARAMETERS, self.drives)
         self.add_post_set_parameters_callback(self.on_parameters)
-        settings = controller_settings(self.values)
-        self.lockstep = settings.lockstep
-        self.stamped = settings.lockstep or self.values['enable_stamped_cmd_vel']
-        self.controller = Controller(ready_policy(self.values, settings), settings)
-        self.reason: str | None = None
-        self.goal_reached: bool | None = None
-        self.create_outputs()
-        self.create_inputs()
-        self.watchdog = None
-        if not self.lockstep:
-            self.create_timer(settings.period, self.on_tick)
-            self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
+        if self.values['autostart'] and self.trigger_configure() == SUCCESS:
+            self.trigger_activate()
 
-    def create_outputs(self) -> None:
-        """Make the publishers."""
-        kind = TwistStamped if self.stamped else Twist
-        self.commands = self.create_publisher(kind, 'cmd_vel', qos.COMMAND)
-        self.arrivals = self.create_publisher(Bool, '~/goal_reached', qos.GOAL_REACHED)
-
-    def create_inputs(self) -> None:
-        """Make the subscriptions."""
-        moving = qos.LOCKSTEP_INPUT if self.lockstep else qos.SENSOR_INPUT
-        for name, kind, profile in (
-            ('odom', Odometry, moving),
-            ('pedestrians', AgentStates, moving),
-            ('obstacles', AgentStates, qos.OBSTACLES),
-            ('goal_pose', PoseStamped, qos.GOAL),
-        ):
-            self.create_subscription(kind, name, partial(self.on_input, name), profile)
+    def drives(self) -> bool:
+        """Return whether the robot is being commanded."""
+        return self.driver is not None and self.driver.running
 
     def on_parameters(self, parameters: list) -> None:
         """
-        Use parameters that were changed.
+        Use parameters that were changed: at once while driving, else from the next activation.
 
         :param parameters: of rclpy.
         """
         self.values.update({one.name: one.value for one in parameters})
-        self.controller.settings = controller_settings(self.values)
-        if self.watchdog is not None:
-            self.watchdog.timeout = self.controller.settings.stall_timeout
+        if self.drives():
+            self.driver.use(self.values)
 
-    def on_input(self, name: str, message: Odometry | AgentStates | PoseStamped) -> None:
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """
-        Store a message; in lockstep, decide when it completes a state.
+        Load the model and listen; say why where that is impossible.
 
-        :param name: its topic.
-        :param message: the input.
+        :param state: the state before.
         """
-        self.controller.store(name, message)
-        if self.lockstep and self.controller.take_complete_state():
-            self.on_tick()
+        try:
+            self.driver = Driver(self, self.values, self.diagnose)
+        except Exception as error:  # rclpy would swallow it without a word
+            kind = '' if isinstance(error, ValueError) else f'{type(error).__name__}: '
+            self.problem = f'not configured: {kind}{error}'
+            self.get_logger().error(self.problem)
+            return FAILURE
+        self.enter('inactive')
+        return super().on_configure(state)
 
-    def on_tick(self) -> None:
-        """Decide."""
-        self.publish(self.controller.decide(self.get_clock().now().nanoseconds))
-        if self.watchdog is not None:
-            self.watchdog.feed()
-
-    def on_stall(self) -> None:
-        """Stop the robot, in the watchdog's thread, while nothing else can."""
-        self.publish(self.controller.stall())
-
-    def publish(self, decision: Decision) -> None:
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """
-        Publish a command, and say why the robot stands.
+        Begin to drive, with another model or other frames where they have been changed.
 
-        :param decision: the command and its reason.
+        :param state: the state before.
         """
-        if decision.publish:
-            self.send(decision)
-        self.report(decision.reason)
-        if self.goal_reached != self.controller.goal_reached:
-            self.goal_reached = self.controller.goal_reached
-            self.arrivals.publish(Bool(data=self.goal_reached))
+        fixed = fixed_values(POLICY_PARAMETERS, self.values)
+        if self.driver is None or self.driver.made_for != fixed:
+            self.release()
+            if self.on_configure(state) != SUCCESS:
+                return FAILURE
+        result = super().on_activate(state)
+        self.driver.start(self.values)
+        self.enter('active')
+        return result
 
-    def report(self, reason: str | None) -> None:
+    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """
-        Say why the robot stands, when that changes.
+        Stop the robot, then fall silent.
 
-        :param reason: None while it drives.
+        :param state: the state before.
         """
-        if reason == ARRIVED != self.reason:
-            self.get_logger().info(reason)
-        elif reason not in (None, self.reason):
-            self.get_logger().warning(f'standing: {reason}', throttle_duration_sec=1.0)
-        self.reason = reason
+        self.driver.stop()
+        self.enter('inactive')
+        return super().on_deactivate(state)
 
-    def send(self, decision: Decision) -> None:
+    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """
-        Publish a command as the type that is wanted.
+        Forget model and inputs.
 
-        :param decision: the command and, in lockstep, the state that it answers.
+        :param state: the state before.
         """
-        message = twist_message(decision.command, self.controller.settings.kinematics)
-        if self.stamped:
-            now = self.get_clock().now().nanoseconds
-            stamp = decision.stamp if self.lockstep else now
-            message = stamped_twist_message(message, stamp, self.values['base_frame'])
-        self.commands.publish(message)
+        self.release()
+        self.enter('unconfigured')
+        return super().on_cleanup(state)
+
+    def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """
+        Stop the robot, if it drives, for good.
+
+        :param state: the state before.
+        """
+        self.release()
+        self.enter('finalized')
+        return super().on_shutdown(state)
+
+    def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """
+        Stop the robot after a transition that broke; the node is unconfigured then.
+
+        :param state: the state before.
+        """
+        self.get_logger().error(f'a transition from {state.label} broke')
+        self.release()
+        self.enter('unconfigured')
+        return super().on_error(state)
+
+    def enter(self, label: str) -> None:
+        """
+        Remember a state of the life cycle.
+
+        :param label: its name.
+        """
+        self.label, self.problem = label, None
+        self.diagnose()
+
+    def diagnose(self) -> None:
+        """Publish how the node is."""
+        reason = self.problem if not self.drives() else self.driver.outputs.reason
+        facts = {} if self.driver is None else self.driver.facts()
+        now = self.get_clock().now().nanoseconds
+        name = self.get_name()
+        self.health.publish(diagnostics_message(now, name, self.label, reason, facts))
+
+    def release(self) -> None:
+        """Give up everything that was made at configuration."""
+        if self.driver is not None:
+            self.driver.close()
+        self.driver = None
 
     def close(self) -> None:
         """Stop the robot: a zero command is the last one."""
-        if self.watchdog is not None:
-            self.watchdog.stop()
-        self.send(Decision(NO_COMMAND))
-        self.commands.wait_for_all_acked(LAST_WORD)
+        self.release()
 
 
 def main() -> None:

@@ -32,6 +32,9 @@ EPISODE_RESULT = profile(10, latched=True)
 CLOCK = profile(1, reliable=False)
 COMMAND = profile(1)
 GOAL_REACHED = profile(1, latched=True)
+DIAGNOSTICS = profile(10)
+ATTENTION = profile(1)
+PREDICTED_PATH = profile(1)
 
 SENSOR_INPUT = profile(5, reliable=False)
 """What the policy reads in real time: any publisher matches, and old samples are worth nothing."""

@@ -7,6 +7,7 @@ import sys
 import threading
 
 import rclpy
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
@@ -64,8 +65,24 @@ def spin(node: Node, stop: threading.Event) -> None:
     executor.add_node(node)
     try:
         while not stop.is_set():
-            executor.spin_once(timeout_sec=WAKE_UP)
+            serve(executor, node)
     finally:
         node.close()  # type: ignore[attr-defined]
         executor.shutdown()
         node.destroy_node()
+
+
+def serve(executor: SingleThreadedExecutor, node: Node) -> None:
+    """
+    Serve one callback of a node, or wait for a while.
+
+    rclpy raises where another process asks a managed node for a transition that its state does
+    not have; such a request must not end the node.
+
+    :param executor: it has the node.
+    :param node: whose log is used.
+    """
+    try:
+        executor.spin_once(timeout_sec=WAKE_UP)
+    except RCLError as error:
+        node.get_logger().error(f'refused: {error}', throttle_duration_sec=1.0)

@@ -5,16 +5,19 @@ import math
 
 import numpy as np
 import pytest
+import torch
 from worlds import BODY, messages_of, random_state
 
-from socialnav.clamping import Limits
 from socialnav.controller import Controller
 from socialnav.controller_settings import ControllerSettings
+from socialnav_core.config import PolicyConfig, ScreeningConfig
+from socialnav_core.policies import build_network, ValuePolicy
+from socialnav_core.simulation.limits import Limits
 
 SECOND = 10**9
 SETTINGS = ControllerSettings(
     body=BODY,
-    limits=Limits(1.0, math.inf, math.pi),
+    limits=Limits(1.0, math.inf, math.pi, 0.1),
     kinematics='holonomic',
     goal_tolerance=0.3,
     period=0.1,
@@ -195,12 +198,43 @@ def test_no_command_is_faster_than_the_robot(policy):
 
 
 def test_no_command_changes_the_velocity_faster_than_the_robot_can(policy):
-    limits = Limits(1.0, 2.0, math.pi)
+    limits = Limits(1.0, 2.0, math.pi, 0.1)
     state = random_state(0)
     state.robot_velocity[:], state.robot_heading[:] = 0.0, 0.0
     settings = dataclasses.replace(SETTINGS, limits=limits)
     command = controller_of(policy, settings, state=state).decide(SECOND).command
     np.testing.assert_allclose(command, [0.2, 0.0], atol=1e-12)
+
+
+def test_commands_beyond_the_limits_are_counted_and_others_are_not(policy):
+    controller = controller_of(policy)
+    controller.decide(SECOND)
+    assert controller.tally.clamped == 0
+    policy.command = [3.0, 4.0]
+    controller.decide(SECOND)
+    assert (controller.tally.clamped, controller.tally.decisions) == (1, 2)
+
+
+@pytest.mark.parametrize('kinematics', ['holonomic', 'differential'])
+def test_a_look_ahead_chooses_within_the_limits_so_that_none_is_clamped(kinematics):
+    torch.manual_seed(0)
+    config = PolicyConfig(kinematics=kinematics, screening=ScreeningConfig(enabled=True))
+    limits = Limits(0.7, 1.0, 1.0, 0.1)
+    settings = dataclasses.replace(SETTINGS, limits=limits, kinematics=kinematics, period=0.1)
+    controller = Controller(
+        ValuePolicy(build_network(config), config), settings, steady=lambda: 0.0
+    )
+    for seed in range(20):
+        give(controller, random_state(seed), SECOND + seed)
+        assert controller.decide(SECOND).reason is None
+    assert (controller.tally.clamped, controller.tally.decisions) == (0, 20)
+
+
+def test_a_late_decision_is_counted(policy):
+    controller = controller_of(policy)
+    policy.duration = 0.2
+    controller.decide(SECOND)
+    assert controller.tally.late == 1
 
 
 def test_after_nothing_but_stops_it_goes_silent_until_it_drives_again(policy):

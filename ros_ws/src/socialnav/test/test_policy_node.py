@@ -5,57 +5,17 @@ import signal
 import time
 
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
+from managed import change_parameter
 from nav_msgs.msg import Odometry
 import pytest
-from rcl_interfaces.msg import Parameter, ParameterValue
-from rcl_interfaces.srv import SetParameters
+from robot import Robot, speed
 from std_msgs.msg import Bool
-from worlds import messages_of, random_state
+from worlds import random_state
 
 from socialnav import qos
-from socialnav_core.config import Config
-from socialnav_core.policies import build_network
-from socialnav_core.policies.checkpoint import save_weights
-from socialnav_core.simulation import make_scenario
-from socialnav_msgs.msg import AgentStates
 
 PERIOD = 0.1
 TRANSPORT = 0.2
-KINDS = {
-    'odom': (Odometry, qos.ODOMETRY),
-    'pedestrians': (AgentStates, qos.PEDESTRIANS),
-    'obstacles': (AgentStates, qos.OBSTACLES),
-    'goal_pose': (PoseStamped, qos.GOAL),
-}
-
-
-def speed(twist):
-    """Return the speed of a command."""
-    return math.hypot(twist.linear.x, twist.linear.y)
-
-
-class Robot:
-    """Publishes inputs of the policy node."""
-
-    def __init__(self, graph):
-        self.graph = graph
-        self.publishers = {
-            name: graph.node.create_publisher(kind, name, profile)
-            for name, (kind, profile) in KINDS.items()
-        }
-
-    def wait(self):
-        """Wait until the policy node listens to everything."""
-        self.graph.wait(
-            lambda: all(one.get_subscription_count() for one in self.publishers.values()), 'node'
-        )
-
-    def publish(self, state, without=(), frame='odom'):
-        """Publish a state as of now."""
-        now = self.graph.node.get_clock().now().nanoseconds
-        for name, message in messages_of(state, now, frame).items():
-            if name not in without:
-                self.publishers[name].publish(message)
 
 
 @pytest.fixture
@@ -157,25 +117,19 @@ def test_while_the_clock_stands_the_robot_is_told_to_stand(graph):
 
 
 def test_limits_can_be_changed_live_and_frames_cannot(graph):
+    commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
     graph.start('policy_node', model='orca')
+    graph.wait(lambda: commands, 'commands')
 
-    def change(name, **value):
-        request = SetParameters.Request()
-        request.parameters = [Parameter(name=name, value=ParameterValue(**value))]
-        return graph.call(SetParameters, 'policy_node/set_parameters', request).results[0]
-
-    assert change('max_speed', type=3, double_value=0.4).successful
-    assert not change('max_speed', type=3, double_value=-1.0).successful
-    refusal = change('planning_frame', type=4, string_value='map')
-    assert not refusal.successful and 'cannot change' in refusal.reason
+    assert change_parameter(graph, 'max_speed', type=3, double_value=0.4).successful
+    assert not change_parameter(graph, 'max_speed', type=3, double_value=-1.0).successful
+    refusal = change_parameter(graph, 'planning_frame', type=4, string_value='map')
+    assert not refusal.successful and 'deactivate it first' in refusal.reason
 
 
 def test_a_speed_limit_that_is_changed_live_is_kept(graph, driving):
     commands, _, _ = driving
-    request = SetParameters.Request()
-    value = ParameterValue(type=3, double_value=0.25)
-    request.parameters = [Parameter(name='max_speed', value=value)]
-    graph.call(SetParameters, 'policy_node/set_parameters', request)
+    assert change_parameter(graph, 'max_speed', type=3, double_value=0.25).successful
     commands.clear()
     graph.wait(lambda: len(commands) >= 10, 'commands')
     assert 0.2 < max(map(speed, commands)) < 0.2500001
@@ -184,9 +138,7 @@ def test_a_speed_limit_that_is_changed_live_is_kept(graph, driving):
 @pytest.mark.parametrize(
     ('name', 'parameters', 'text'),
     [
-        ('policy_node', {'model': 'nobody'}, "no model 'nobody'"),
         ('policy_node', {'controller_frequency': -1.0}, 'controller_frequency must be'),
-        ('policy_node', {'model': 'orca', 'kinematics': 'differential'}, 'holonomic'),
         ('policy_node', {'threads': 'many'}, 'threads must be a whole number'),
         ('simulator_node', {'scenario': 'hart'}, 'did you mean hard'),
         ('simulator_node', {'kinematics': 'legs'}, 'kinematics must be one of'),
@@ -197,14 +149,3 @@ def test_a_wrong_parameter_is_one_line_and_exit_code_1(graph, name, parameters, 
     _, errors = process.communicate(timeout=20)
     assert process.returncode == 1
     assert text in errors and errors.startswith(name) and errors.count('\n') == 1
-
-
-def test_a_damaged_model_is_one_line_and_exit_code_1(graph, tmp_path):
-    config = Config('damaged', make_scenario('hard'))
-    save_weights(tmp_path, build_network(config.policy), config)
-    weights = tmp_path / 'weights.safetensors'
-    weights.write_bytes(weights.read_bytes()[:-100])
-    process = graph.start('policy_node', model=tmp_path)
-    _, errors = process.communicate(timeout=20)
-    assert process.returncode == 1
-    assert str(tmp_path) in errors and errors.count('\n') == 1

@@ -9,6 +9,7 @@ from socialnav.parameters import POLICY_PARAMETERS, SIMULATOR_PARAMETERS
 
 README = (Path(__file__).parents[1] / 'README.md').read_text()
 OWN_TOPICS = ('/rosout', '/parameter_events')
+OF_EVERY_NODE = ('rcl_interfaces/', 'lifecycle_msgs/', 'type_description_interfaces/')
 NODES = {'simulator_node': {'publish_clock': True}, 'policy_node': {'model': 'orca'}}
 
 
@@ -47,7 +48,7 @@ def test_the_readme_lists_every_parameter_as_it_is(name, table):
     expected = [
         [
             f'`{entry.name}`', shown(entry.default), values_of(entry), entry.unit or '-',
-            'yes' if entry.live else 'no', entry.description,
+            entry.live, entry.description,
         ]
         for entry in table
     ]  # fmt: skip
@@ -89,18 +90,19 @@ def test_the_readme_lists_every_topic_as_it_is(graph, name):
     assert endpoints(graph, name) == expected
 
 
-def test_the_readme_lists_every_service_as_it_is(graph):
-    graph.start('simulator_node')
+@pytest.mark.parametrize('name', NODES)
+def test_the_readme_lists_every_service_as_it_is(graph, name):
+    graph.start(name, **NODES[name])
     expected = {
-        (f'/simulator_node{service.strip("`~")}', kind.replace('/', '/srv/'))
-        for service, kind, _ in rows(section('simulator_node'), 'service')
+        (f'/{name}{service.strip("`~")}', kind.replace('/', '/srv/'))
+        for service, kind, _ in rows(section(name), 'service')
     }
 
     def services():
         return {
             (service, kinds[0])
             for service, kinds in graph.node.get_service_names_and_types()
-            if service.startswith('/simulator_node/') and 'interfaces' not in kinds[0]
+            if service.startswith(f'/{name}/') and not kinds[0].startswith(OF_EVERY_NODE)
         }
 
     graph.wait(lambda: services() >= expected, 'services')

@@ -1,0 +1,145 @@
+"""What a configured policy node does: inputs are stored, the timer decides."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from geometry_msgs.msg import PoseStamped
+from nav_msgs.msg import Odometry
+from rclpy.lifecycle import LifecycleNode
+from rclpy.timer import Timer
+from std_srvs.srv import Trigger
+
+from socialnav import qos
+from socialnav.controller import Controller
+from socialnav.controller_settings import controller_settings
+from socialnav.diagnostics import controller_facts
+from socialnav.models import ready_policy
+from socialnav.parameters import fixed_values, POLICY_PARAMETERS
+from socialnav.policy_outputs import PolicyOutputs
+from socialnav.watchdog import Watchdog
+from socialnav_msgs.msg import AgentStates
+
+
+class Driver:
+    """Stores what comes in, decides at each tick or complete state, publishes the command."""
+
+    def __init__(
+        self, node: LifecycleNode, values: dict[str, Any], on_change: Callable[[], None]
+    ) -> None:
+        """
+        Load the model and listen.
+
+        :param node: whose topics they are.
+        :param values: all parameters.
+        :param on_change: called when the reason for standing is another one.
+        :raises ValueError: parameters or a model that cannot be used.
+        """
+        self.made_for = fixed_values(POLICY_PARAMETERS, values)
+        settings = controller_settings(values)
+        self.controller = Controller(ready_policy(values, settings), settings)
+        self.running = False
+        self.lockstep = settings.lockstep
+        self.node = node
+        self.timer: Timer | None = None
+        self.watchdog: Watchdog | None = None
+        self.outputs = PolicyOutputs(node, self.controller, values, on_change)
+        self.create_inputs()
+
+    def create_inputs(self) -> None:
+        """Make the subscriptions."""
+        moving = qos.LOCKSTEP_INPUT if self.lockstep else qos.SENSOR_INPUT
+        self.subscriptions = [
+            self.node.create_subscription(kind, name, partial(self.on_input, name), profile)
+            for name, kind, profile in (
+                ('odom', Odometry, moving),
+                ('pedestrians', AgentStates, moving),
+                ('obstacles', AgentStates, qos.OBSTACLES),
+                ('goal_pose', PoseStamped, qos.GOAL),
+            )
+        ]
+        self.cancelling = self.node.create_service(Trigger, '~/cancel_goal', self.on_cancel)
+
+    def start(self, values: dict[str, Any]) -> None:
+        """
+        Begin to drive.
+
+        :param values: all parameters.
+        """
+        self.use(values)
+        self.running = True
+        self.outputs.begin()
+        if not self.lockstep:
+            settings = self.controller.settings
+            self.timer = self.node.create_timer(settings.period, self.on_tick)
+            self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
+
+    def use(self, values: dict[str, Any]) -> None:
+        """
+        Use other parameters from now on.
+
+        :param values: all parameters.
+        """
+        self.controller.settings = controller_settings(values)
+        if self.watchdog is not None:
+            self.watchdog.timeout = self.controller.settings.stall_timeout
+
+    def stop(self) -> None:
+        """Stop the robot: a zero command is the last one."""
+        if not self.running:
+            return
+        self.running = False
+        if self.watchdog is not None:
+            self.watchdog.stop()
+            self.node.destroy_timer(self.timer)
+            self.watchdog = None
+        self.outputs.end()
+
+    def close(self) -> None:
+        """Stop the robot and give up all topics."""
+        self.stop()
+        for subscription in self.subscriptions:
+            self.node.destroy_subscription(subscription)
+        self.outputs.close()
+        self.node.destroy_service(self.cancelling)
+
+    def on_input(self, name: str, message: Odometry | AgentStates | PoseStamped) -> None:
+        """
+        Store a message; in lockstep, decide when it completes a state.
+
+        :param name: its topic.
+        :param message: the input.
+        """
+        self.controller.store(name, message)
+        if self.lockstep and self.controller.take_complete_state():
+            self.on_tick()
+
+    def on_cancel(self, _: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
+        """
+        Forget the goal.
+
+        :param response: says whether there was one.
+        """
+        if self.lockstep:
+            response.message = 'in lockstep every state has its goal'
+            return response
+        response.success = self.controller.cancel_goal()
+        response.message = 'cancelled' if response.success else 'there is no goal'
+        return response
+
+    def on_tick(self) -> None:
+        """Decide, unless this tick was on its way when the driver stopped."""
+        if not self.running:
+            return
+        self.outputs.publish(self.controller.decide(self.node.get_clock().now().nanoseconds))
+        if self.watchdog is not None:
+            self.watchdog.feed()
+
+    def on_stall(self) -> None:
+        """Stop the robot, in the watchdog's thread, while nothing else can."""
+        self.outputs.publish(self.controller.stall())
+
+    def facts(self) -> dict[str, str]:
+        """Return what diagnostics tell."""
+        ages = self.controller.input_ages(self.node.get_clock().now().nanoseconds)
+        return controller_facts(self.made_for['model'], ages, self.controller.tally)

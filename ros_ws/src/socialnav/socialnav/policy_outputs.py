@@ -1,0 +1,123 @@
+"""What the policy node publishes about its decisions."""
+
+from collections.abc import Callable
+from typing import Any
+
+from geometry_msgs.msg import Twist, TwistStamped
+from nav_msgs.msg import Path
+from rclpy.duration import Duration
+from rclpy.lifecycle import LifecycleNode
+from std_msgs.msg import Bool
+from visualization_msgs.msg import MarkerArray
+
+from socialnav import qos
+from socialnav.commands import stamped_twist_message, twist_message
+from socialnav.controller import Controller, Decision, NO_COMMAND
+from socialnav.intentions import attention_markers, predicted_path
+from socialnav.reasons import ARRIVED, UNDECIDED
+
+LAST_WORD = Duration(nanoseconds=500_000_000)
+"""How long it is waited at the end for the last command to arrive."""
+
+
+class PolicyOutputs:
+    """Publishers, silent unless the node is active, and what they have told already."""
+
+    def __init__(
+        self,
+        node: LifecycleNode,
+        controller: Controller,
+        values: dict[str, Any],
+        on_change: Callable[[], None],
+    ) -> None:
+        """
+        Make the publishers.
+
+        :param node: whose topics they are.
+        :param controller: whose decisions they are.
+        :param values: all parameters.
+        :param on_change: called when the reason for standing is another one.
+        """
+        self.node = node
+        self.controller = controller
+        self.on_change = on_change
+        self.reason: str | None = UNDECIDED
+        self.goal_reached: bool | None = None
+        self.base_frame = values['base_frame']
+        self.lockstep = controller.settings.lockstep
+        self.stamped = self.lockstep or values['enable_stamped_cmd_vel']
+        create = node.create_lifecycle_publisher
+        self.commands = create(TwistStamped if self.stamped else Twist, 'cmd_vel', qos.COMMAND)
+        self.arrivals = create(Bool, '~/goal_reached', qos.GOAL_REACHED)
+        self.attention = create(MarkerArray, '~/attention', qos.ATTENTION)
+        self.path = create(Path, '~/predicted_path', qos.PREDICTED_PATH)
+
+    def begin(self) -> None:
+        """Tell everything anew."""
+        self.reason, self.goal_reached = UNDECIDED, None
+
+    def end(self) -> None:
+        """Stop the robot: a zero command is the last one."""
+        self.send(Decision(NO_COMMAND))
+        self.commands.wait_for_all_acked(LAST_WORD)
+
+    def close(self) -> None:
+        """Give up the topics."""
+        for publisher in (self.commands, self.arrivals, self.attention, self.path):
+            self.node.destroy_lifecycle_publisher(publisher)
+
+    def publish(self, decision: Decision) -> None:
+        """
+        Publish a command, and say why the robot stands.
+
+        :param decision: the command and its reason.
+        """
+        if decision.publish:
+            self.send(decision)
+        self.report(decision.reason)
+        if self.goal_reached != self.controller.goal_reached:
+            self.goal_reached = self.controller.goal_reached
+            self.arrivals.publish(Bool(data=self.goal_reached))
+        if decision.reason is None:
+            self.show()
+
+    def show(self) -> None:
+        """Publish what the policy looks at and is about to do, where somebody listens."""
+        intention, settings = self.controller.intention, self.controller.settings
+        now, frame = self.node.get_clock().now().nanoseconds, settings.planning_frame
+        if intention is None:
+            return
+        if self.path.get_subscription_count():
+            motion = (intention.state, intention.command, settings.kinematics)
+            self.path.publish(predicted_path(*motion, now, frame))
+        if self.attention.get_subscription_count():
+            weights = self.controller.attention()
+            if weights is not None:
+                self.attention.publish(attention_markers(intention.state, weights, now, frame))
+
+    def report(self, reason: str | None) -> None:
+        """
+        Say why the robot stands, when that changes.
+
+        :param reason: None while it drives.
+        """
+        if reason == ARRIVED != self.reason:
+            self.node.get_logger().info(reason)
+        elif reason not in (None, self.reason):
+            self.node.get_logger().warning(f'standing: {reason}', throttle_duration_sec=1.0)
+        if reason != self.reason:
+            self.reason = reason
+            self.on_change()
+
+    def send(self, decision: Decision) -> None:
+        """
+        Publish a command as the type that is wanted.
+
+        :param decision: the command and, in lockstep, the state that it answers.
+        """
+        message = twist_message(decision.command, self.controller.settings.kinematics)
+        if self.stamped:
+            now = self.node.get_clock().now().nanoseconds
+            stamp = decision.stamp if self.lockstep else now
+            message = stamped_twist_message(message, stamp, self.base_frame)
+        self.commands.publish(message)

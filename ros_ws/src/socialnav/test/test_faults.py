@@ -1,0 +1,148 @@
+"""What goes wrong around a robot must stop it, and what only looks odd must not."""
+
+import dataclasses
+import math
+
+from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import Twist
+import numpy as np
+import pytest
+from robot import Robot, speed
+from worlds import random_state
+
+from socialnav import qos
+
+
+class Drive:
+    """A policy node with its inputs, as real processes."""
+
+    def __init__(self, graph, **parameters):
+        self.graph, self.robot = graph, Robot(graph)
+        self.commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+        self.health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
+        graph.start('policy_node', **({'model': 'orca'} | parameters))
+        self.robot.wait()
+
+    def until(self, moving, reason, state, what, **options):
+        """Publish a state until the robot moves, or stands for a reason, for three commands."""
+
+        def as_wanted():
+            self.robot.publish(state, **options)
+            self.graph.spin(0.05)
+            told = self.health[-1].status[0].message if self.health else ''
+            latest = [speed(one) for one in self.commands[-3:]]
+            return (
+                len(latest) == 3 and reason in told and all((one > 0) == moving for one in latest)
+            )
+
+        self.commands.clear()
+        self.graph.wait(as_wanted, f'{"motion" if moving else "stop"}: {what}')
+
+    def moves(self, state, what='all is well', **options):
+        """Wait until the robot moves."""
+        self.until(True, 'driving', state, what, **options)
+
+    def stands(self, reason, state, what, **options):
+        """Wait until the robot stands for a reason."""
+        self.until(False, reason, state, what, **options)
+
+
+@pytest.fixture
+def drive(graph):
+    return Drive(graph)
+
+
+def change_of(name, path, value):
+    """Return a function that changes one field in the message of one topic."""
+
+    def change(messages):
+        owner = messages[name]
+        *way, last = path.split('.')
+        for step in way:
+            owner = owner[int(step)] if step.isdigit() else getattr(owner, step)
+        setattr(owner, last, value)
+
+    return change
+
+
+BAD_FIELDS = [
+    ('pedestrians', 'agents.0.position.x', math.nan, 'pedestrians: position'),
+    ('pedestrians', 'agents.1.velocity.y', math.inf, 'pedestrians: velocity'),
+    ('pedestrians', 'agents.0.radius', -0.3, 'pedestrians: negative radius'),
+    ('pedestrians', 'header.frame_id', 'camera', "in frame 'camera'"),
+    ('obstacles', 'agents.0.radius', math.nan, 'obstacles: radius'),
+    ('odom', 'pose.pose.position.y', -math.inf, 'odom: position'),
+    ('odom', 'pose.pose.orientation.w', 7.0, 'odom: orientation'),
+    ('odom', 'twist.twist.linear.x', math.nan, 'odom: velocity'),
+    ('goal_pose', 'pose.position.x', math.nan, 'goal_pose: position'),
+    ('goal_pose', 'header.frame_id', 'map', "in frame 'map'"),
+]
+
+
+def test_a_field_that_cannot_be_stops_the_robot_and_the_next_good_one_lets_it_go_on(drive):
+    state = random_state(0)
+    for name, path, value, reason in BAD_FIELDS:
+        drive.moves(state)
+        drive.stands(
+            reason, state, f'{name}.{path} = {value}', change=change_of(name, path, value)
+        )
+    drive.moves(state)
+
+
+def test_when_one_input_stops_the_robot_stops_only_where_that_input_ages(drive):
+    state = random_state(0)
+    for name in ('odom', 'pedestrians'):
+        drive.moves(state)
+        drive.stands(f'{name} older than', state, f'{name} stopped', without=[name])
+    for name in ('obstacles', 'goal_pose'):
+        drive.moves(state)
+        drive.graph.spin(0.7)
+        drive.moves(state, f'{name} stopped', without=[name])
+
+
+def test_a_clock_that_jumps_stops_the_robot_and_the_right_time_lets_it_go_on(drive):
+    state = random_state(0)
+    drive.moves(state)
+    drive.stands('odom older than', state, 'time running backwards', shift=-5.0)
+    drive.stands('from the future', state, 'time running ahead', shift=5.0)
+    drive.moves(state)
+
+
+def duplicate(messages):
+    """Give all pedestrians one id."""
+    for one in messages['pedestrians'].agents:
+        one.id = 7
+
+
+def test_any_number_of_agents_with_any_ids_can_be_driven_among(drive):
+    drive.moves(random_state(0, pedestrians=0, obstacles=0), 'nobody at all')
+    drive.moves(random_state(0), 'one id for all', change=duplicate)
+    crowd = random_state(0, pedestrians=500)
+    crowd = dataclasses.replace(crowd, position=crowd.position + 40.0)
+    drive.moves(crowd, '500 pedestrians')
+
+
+def test_a_goal_within_an_obstacle_is_approached_and_nothing_breaks(drive):
+    state = random_state(0, pedestrians=0, obstacles=1)
+    state.position[:] = state.robot_goal[:, None]
+    drive.moves(state)
+    beside = state.robot_goal - np.array([[state.radius[0, 0] + 0.31, 0.0]])
+    state = dataclasses.replace(state, robot_position=beside, robot_velocity=np.zeros((1, 2)))
+    drive.commands.clear()
+    for _ in range(20):
+        drive.robot.publish(state)
+        drive.graph.spin(0.05)
+    assert len(drive.commands) > 5
+    assert drive.health[-1].status[0].message in ('driving', 'no goal_pose')
+
+
+def test_a_goal_that_changes_ten_times_a_second_is_followed(drive):
+    state = random_state(0)
+    drive.moves(state)
+    drive.commands.clear()
+    for number in range(20):
+        angle = number * 0.3
+        goal = state.robot_position + 5.0 * np.array([[math.cos(angle), math.sin(angle)]])
+        drive.robot.publish(dataclasses.replace(state, robot_goal=goal))
+        drive.graph.spin(0.1)
+    assert len(drive.commands) > 10 and all(map(speed, drive.commands[1:]))
