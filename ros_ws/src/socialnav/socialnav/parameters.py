@@ -14,7 +14,7 @@ from rcl_interfaces.msg import (
 from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException
 from rclpy.node import Node
 
-DEFAULT_MODEL = 'sarl'
+DEFAULT_MODEL = 'gat4sn'
 
 
 class ParameterError(ValueError):

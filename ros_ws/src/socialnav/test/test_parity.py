@@ -1,12 +1,13 @@
 """The same cases offline and through the graph."""
 
-from models import default_model_folder
+from ament_index_python.packages import get_package_share_directory
 from nav_msgs.msg import Odometry
 import numpy as np
 import pytest
 import torch
 
 from socialnav import qos
+from socialnav.parameters import DEFAULT_MODEL
 from socialnav.stamps import nanoseconds_of
 from socialnav.world import OUTCOMES
 from socialnav_core.config import Config, PolicyConfig
@@ -19,10 +20,7 @@ FEW = 5
 CASES = 20
 MANY = 100
 SEED = 11
-needs_model = pytest.mark.skipif(
-    not default_model_folder().is_dir(), reason='the default model is not installed'
-)
-TRAINED = str(default_model_folder())
+TRAINED = f'{get_package_share_directory("socialnav")}/models/{DEFAULT_MODEL}'
 
 
 def offline(policy, scenario, case):
@@ -57,9 +55,9 @@ def test_an_untrained_network_ends_alike_too(graph, untrained):
     [
         ('orca', 'hard', CASES),
         ('orca', 'crowd20', CASES),
-        pytest.param(TRAINED, 'hard', CASES, marks=needs_model, id='default_model-hard'),
+        pytest.param(TRAINED, 'hard', CASES, id='default_model-hard'),
         pytest.param('orca', 'hard', MANY, marks=pytest.mark.slow),
-        pytest.param(TRAINED, 'hard', MANY, marks=[needs_model, pytest.mark.slow], id='many'),
+        pytest.param(TRAINED, 'hard', MANY, marks=pytest.mark.slow, id='many'),
     ],
 )
 def test_a_case_ends_alike_offline_and_through_the_graph(graph, model, scenario, cases):

@@ -9,18 +9,14 @@ import subprocess
 import time
 
 from ament_index_python.packages import get_package_prefix
-from models import default_model_folder
 from PIL import Image
 import pytest
-
-from socialnav.parameters import DEFAULT_MODEL
 
 DEMO = Path(get_package_prefix('socialnav')) / 'lib' / 'socialnav' / 'demo'
 FIELDS = {
     'scenario', 'seed', 'case_index', 'outcome', 'time', 'path_length', 'minimum_clearance',
     'steps',
 }  # fmt: skip
-MODEL = DEFAULT_MODEL if default_model_folder().is_dir() else 'orca'
 
 
 def demo(*arguments):
@@ -64,7 +60,7 @@ def result(tmp_path_factory):
     """Return what five episodes printed, and the folder that they filled."""
     folder = tmp_path_factory.mktemp('demo')
     began = time.monotonic()
-    process = demo('--episodes', 5, '--scenario', 'hard', '--model', MODEL, '--out', folder)
+    process = demo('--episodes', 5, '--scenario', 'hard', '--out', folder)
     first = process.stdout.readline()
     until_first = time.monotonic() - began
     rest, errors = process.communicate()
