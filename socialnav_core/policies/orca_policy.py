@@ -5,9 +5,8 @@ import numpy as np
 from socialnav_core.config import OrcaConfig
 from socialnav_core.policies.straight_line import preferred_velocity
 from socialnav_core.simulation.orca import orca_step
+from socialnav_core.simulation.pedestrians import RADIUS_PADDING, RECIPROCAL
 from socialnav_core.states import CrowdState
-
-RADIUS_PADDING = 0.01
 
 
 class OrcaPolicy:
@@ -52,7 +51,7 @@ class OrcaPolicy:
             np.where(
                 with_robot(np.zeros(state.batch_size, bool), state.static),
                 self.orca.static_responsibility,
-                0.5,
+                RECIPROCAL,
             ),
             np.full(preferred.shape[:2], self.orca.neighbor_distance),
             np.ones(state.batch_size, bool),

@@ -57,8 +57,9 @@ def test_the_simulator_is_measured_beside_the_reference(short, tmp_path, capsys)
     assert values['processor']
 
 
-def test_decisions_are_measured_beside_the_reference(short):
+@pytest.mark.parametrize('prediction', ['constant_velocity', 'oracle'])
+def test_decisions_are_measured_beside_the_reference(short, prediction):
     module = reference.load_reference()
-    measurement = lookahead.decision('gat4sn', 4, 1, 4, module)
+    measurement = lookahead.decision('gat4sn', 4, 1, 4, prediction, module)
     assert 0 < measurement.value < 1000
     assert measurement.ratio == pytest.approx(measurement.reference / measurement.value)

@@ -42,7 +42,8 @@ def test_the_executable_gets_its_arguments_unchanged_and_its_status_is_returned(
 
 
 def test_signals_reach_the_executable(prefix: Path) -> None:
-    install(prefix, 'program', 'trap "echo told; exit 3" INT; echo ready; read -r line')
+    trap = 'trap "echo told; kill \\$!; exit 3" INT'
+    install(prefix, 'program', f'{trap}; sleep 60 & echo ready; wait')
     environment = {'AMENT_PREFIX_PATH': str(prefix), 'PATH': '/usr/bin:/bin'}
     process = start('run', PACKAGE, 'program', environment=environment)
     wait_for_line(process, 'ready')
