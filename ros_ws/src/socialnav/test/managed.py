@@ -8,7 +8,7 @@ from rcl_interfaces.srv import SetParameters
 
 def state_of(graph, node='policy_node') -> str:
     """Return the state of a managed node."""
-    return graph.call(GetState, f'{node}/get_state', GetState.Request()).current_state.label
+    return graph.ask(GetState, f'{node}/get_state', GetState.Request()).current_state.label
 
 
 def change_state(graph, label, node='policy_node') -> bool:
