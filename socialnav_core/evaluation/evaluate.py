@@ -56,6 +56,11 @@ class EvaluationResult:
         return float(self.records.steps.sum() / self.decision_seconds)
 
     @property
+    def success_rate(self) -> float:
+        """Return the share of the cases in which the robot reached its goal."""
+        return float(self.records.success.mean())
+
+    @property
     def success_interval(self) -> tuple[float, float]:
         """Return Wilson's 95 % interval of the success rate."""
         return wilson_interval(int(self.records.success.sum()), self.episodes)

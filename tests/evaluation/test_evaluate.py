@@ -81,7 +81,9 @@ def test_records_agree_with_a_run_by_hand():
 
 
 def test_the_mapping_has_every_field_that_readers_rely_on():
-    values = evaluate(StraightLinePolicy(), HARD, 5, name='blind').to_mapping()
+    result = evaluate(StraightLinePolicy(), HARD, 5, name='blind')
+    values = result.to_mapping()
+    assert result.success_rate == values['success_rate']
     assert {
         'model', 'scenario', 'seed', 'episodes', 'split', 'lookahead', 'screening',
         'success_rate', 'success_interval', 'collision_rate', 'collision_pedestrian_rate',
