@@ -51,15 +51,6 @@ class Laboratory:
         """
         return self.folder / 'runs' / row.name / f'seed-{seed}'
 
-    def finished_seeds(self, row: Row, seeds: int) -> tuple[int, ...]:
-        """
-        Return which of the seeds 0 to seeds - 1 of a row are trained.
-
-        :param row: what is trained.
-        :param seeds: how many are wished.
-        """
-        return tuple(seed for seed in range(seeds) if runs.is_finished(self.run(row, seed)))
-
     def provide(self, requests: Iterable[Request], train: bool = True) -> None:
         """
         Train and measure what is missing.

@@ -265,7 +265,8 @@ def reproduction(folder: Path, results: list[dict[str, Any]]) -> str:
     return (
         '## Reproduce\n\n'
         f'```\n{block}\n```\n\n'
-        'The same machine, thread count and library versions give the same weights bit by bit.'
+        'The same machine, thread count and versions of the libraries and of socialnav give the '
+        'same weights bit by bit; others give other weights.'
     )
 
 
