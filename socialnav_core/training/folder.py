@@ -11,6 +11,8 @@ from socialnav_core.training.progress import CSV_NAME
 RUN_FILES = (STATE_NAME, CSV_NAME, WEIGHTS, CONFIG, METRICS_NAME, CARD_NAME)
 MARKS = (STATE_NAME, CSV_NAME, WEIGHTS)
 EVENTS = 'events.out.tfevents.*'
+UNFOLDED = 'unfolded'
+"""Checkpoint with the weights as they were trained, inside the folder of the run."""
 
 
 def prepare_folder(folder: Path, resume: bool, overwrite: bool) -> None:
@@ -34,6 +36,7 @@ def prepare_folder(folder: Path, resume: bool, overwrite: bool) -> None:
         remove_files(folder, [f'.{name}.*' for name in RUN_FILES])  # of writes that were killed
         if not resume:
             remove_files(folder, [*RUN_FILES, EVENTS])
+            remove_files(folder / UNFOLDED, [WEIGHTS, CONFIG])
     except OSError as error:
         raise ConfigError(
             f'{folder} cannot be used ({error.strerror}); choose another --out'

@@ -12,6 +12,7 @@ CSV_NAME = 'progress.csv'
 COLUMNS = (
     'iteration', 'decisions', 'episodes', 'success_rate', 'collision_rate', 'mean_time', 'loss',
     'learning_rate', 'epsilon', 'obstacle_radius', 'decisions_per_second', 'seconds',
+    'processor_seconds',
 )  # fmt: skip
 
 

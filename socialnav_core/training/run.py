@@ -61,6 +61,7 @@ class Run:
         self.iteration = 0
         self.ended_episodes = 0
         self.seconds = 0.0
+        self.processor_seconds = 0.0
 
     @property
     def obstacle_radius(self) -> float:
@@ -123,6 +124,7 @@ class Run:
             'iteration': np.array(self.iteration),
             'ended_episodes': np.array(self.ended_episodes),
             'seconds': np.array(self.seconds),
+            'processor_seconds': np.array(self.processor_seconds),
         }
         settings = self.config.training
         return {
@@ -161,6 +163,7 @@ class Run:
         self.iteration = int(counters['iteration'])
         self.ended_episodes = int(counters['ended_episodes'])
         self.seconds = float(counters['seconds'])
+        self.processor_seconds = float(counters['processor_seconds'])
 
 
 def exploring_policy(config: Config) -> PolicyConfig:

@@ -1,6 +1,7 @@
 """Training of a value network: imitation, then collection and updates in turn."""
 
 from collections.abc import Callable
+import dataclasses
 from pathlib import Path
 import shlex
 import sys
@@ -15,7 +16,7 @@ from socialnav_core.policies import OrcaPolicy, Policy
 from socialnav_core.policies.checkpoint import save_weights
 from socialnav_core.policies.lookahead import ValuePolicy
 from socialnav_core.training.checkpoint import load_state, save_state
-from socialnav_core.training.folder import finish_folder, prepare_folder
+from socialnav_core.training.folder import finish_folder, prepare_folder, UNFOLDED
 from socialnav_core.training.imitation import collect_demonstrations, imitate
 from socialnav_core.training.interruption import Interruption, TrainingInterrupted
 from socialnav_core.training.model_card import add_result, write_model_card
@@ -77,6 +78,8 @@ def train(
         add_result(
             out, evaluate(ValuePolicy(run.finished_network(), config.policy), config.scenario)
         )
+    if settings.fold_constant_features:
+        save_unfolded(run, out / UNFOLDED)
     write_model_card(out)
     finish_folder(out)
 
@@ -90,7 +93,7 @@ def begin(run: Run, progress: bool) -> None:
     :param run: before its first iteration.
     :param progress: whether to say on stderr what happens.
     """
-    started = time.perf_counter()
+    started, used = time.perf_counter(), time.process_time()
     config, settings = run.config, run.config.training
     imitation = settings.imitation
     if imitation.episodes:
@@ -106,6 +109,7 @@ def begin(run: Run, progress: bool) -> None:
     run.renew_target()
     run.decision = run.policy.decide(run.simulator.reset(seed=config.seed, split='train'))
     run.seconds = time.perf_counter() - started
+    run.processor_seconds = time.process_time() - used
 
 
 def iterate(run: Run) -> dict[str, float]:
@@ -114,7 +118,7 @@ def iterate(run: Run) -> dict[str, float]:
 
     :param run: the run, advanced by one iteration.
     """
-    started = time.perf_counter()
+    started, used = time.perf_counter(), time.process_time()
     config, settings, iteration = run.config, run.config.training, run.iteration
     rate, exploration = learning_rate(settings, run.position), epsilon(settings, run.position)
     rollout = collect(
@@ -145,6 +149,7 @@ def iterate(run: Run) -> dict[str, float]:
     run.iteration += 1
     seconds = time.perf_counter() - started
     run.seconds += seconds
+    run.processor_seconds += time.process_time() - used
     decisions = settings.worlds * settings.steps_per_iteration
     return {
         'iteration': run.iteration,
@@ -159,6 +164,7 @@ def iterate(run: Run) -> dict[str, float]:
         'obstacle_radius': radius,
         'decisions_per_second': decisions / seconds,
         'seconds': run.seconds,
+        'processor_seconds': run.processor_seconds,
     }
 
 
@@ -186,6 +192,18 @@ def save(run: Run, out: Path) -> None:
     """
     save_weights(out, run.finished_network(), run.config)
     save_state(out, run.sections(), run.config)
+
+
+def save_unfolded(run: Run, out: Path) -> None:
+    """
+    Store the weights as they were trained, in a checkpoint of its own, for comparison.
+
+    :param run: that is finished.
+    :param out: folder of that checkpoint.
+    """
+    settings = dataclasses.replace(run.config.training, fold_constant_features=False)
+    save_weights(out, run.network, dataclasses.replace(run.config, training=settings))
+
 
 
 def how_to_resume(run: Run, out: Path) -> str:
