@@ -205,7 +205,6 @@ def save_unfolded(run: Run, out: Path) -> None:
     save_weights(out, run.network, dataclasses.replace(run.config, training=settings))
 
 
-
 def how_to_resume(run: Run, out: Path) -> str:
     """
     Return what to tell the one who stopped a run.

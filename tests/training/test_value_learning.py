@@ -245,3 +245,13 @@ def test_run_without_imitation_learns_from_its_own_states(tiny_config, tmp_path)
     imitation = dataclasses.replace(tiny_config.training.imitation, episodes=0)
     train(with_training(tiny_config, imitation=imitation), tmp_path / 'run', progress=False)
     assert (tmp_path / 'run' / 'weights.safetensors').exists()
+
+
+def test_weights_as_trained_stay_beside_the_folded_ones(tiny_config, tmp_path):
+    train(tiny_config, tmp_path / 'folded', progress=False)
+    plain = with_training(tiny_config, fold_constant_features=False)
+    train(plain, tmp_path / 'plain', progress=False)
+    unfolded = checkpoint_digest(tmp_path / 'folded' / 'unfolded')
+    assert unfolded == checkpoint_digest(tmp_path / 'plain')
+    assert unfolded != checkpoint_digest(tmp_path / 'folded')
+    assert not (tmp_path / 'plain' / 'unfolded').exists()
