@@ -9,12 +9,23 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / 'socialnav_core'
-PARTS_BUILT_ON_THEM = ('simulation', 'policies', 'training', 'evaluation', 'reproduction')
+PARTS_BUILT_ON_THEM = (
+    'simulation', 'sensing', 'policies', 'training', 'evaluation', 'reproduction',
+)  # fmt: skip
 FORBIDDEN = {
     'states.py': PARTS_BUILT_ON_THEM,
     'config.py': PARTS_BUILT_ON_THEM,
     'settings.py': PARTS_BUILT_ON_THEM,
-    'simulation': ('policies', 'training', 'evaluation', 'reproduction', 'cli', 'commands'),
+    'simulation': (
+        'sensing',
+        'policies',
+        'training',
+        'evaluation',
+        'reproduction',
+        'cli',
+        'commands',
+    ),
+    'sensing': ('policies', 'training', 'evaluation', 'reproduction', 'cli', 'commands'),
     'policies': ('training', 'evaluation', 'reproduction', 'cli', 'commands'),
     'training': ('evaluation', 'reproduction', 'cli', 'commands'),
     'evaluation': ('training', 'reproduction', 'cli', 'commands'),

@@ -42,8 +42,10 @@ setup(
     entry_points={
         'console_scripts': [
             'demo = socialnav.demo:main',
+            'obstacle_node = socialnav.obstacle_node:main',
             'policy_node = socialnav.policy_node:main',
             'simulator_node = socialnav.simulator_node:main',
+            'tracker_node = socialnav.tracker_node:main',
         ],
     },
 )

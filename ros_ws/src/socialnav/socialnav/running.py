@@ -12,6 +12,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
+STOPPING = (signal.SIGINT, signal.SIGTERM)
 WAKE_UP = 0.05
 """How often a waiting node looks whether it should stop, s."""
 
@@ -26,7 +27,7 @@ def run(build: Callable[[], Node]) -> int:
         user's mistake and becomes one line.
     """
     stop = threading.Event()
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in STOPPING:
         signal.signal(number, lambda *_: stop.set())
     try:
         rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
@@ -41,6 +42,8 @@ def run(build: Callable[[], Node]) -> int:
         spin(node, stop)
     finally:
         rclpy.try_shutdown()
+        for number in STOPPING:  # a second one while Python ends would kill it
+            signal.signal(number, signal.SIG_IGN)
     return 0
 
 

@@ -20,6 +20,7 @@ from socialnav.markers import world_markers
 from socialnav.occupancy import map_message
 from socialnav.parameters import declare, SIMULATOR_PARAMETERS
 from socialnav.running import run
+from socialnav.simulated_sensors import SimulatedSensors
 from socialnav.simulator_settings import simulator_settings
 from socialnav.stamps import nanoseconds_of, time_message
 from socialnav.world import World
@@ -77,6 +78,7 @@ class SimulatorNode(Node):
         }
         self.markers = self.create_publisher(MarkerArray, 'markers', qos.MARKERS)
         self.results = self.create_publisher(EpisodeResult, 'episode_result', qos.EPISODE_RESULT)
+        self.sensors = SimulatedSensors(self, self.values, self.frames)
         self.clocks = None
         if self.settings.publish_clock:
             self.clocks = self.create_publisher(ClockMessage, '/clock', qos.CLOCK)
@@ -237,6 +239,7 @@ class SimulatorNode(Node):
         if self.world.fresh or self.lockstep:
             self.publish(standing_messages(self.world, stamp, self.frames))
         self.publish(moving_messages(self.world, stamp, self.frames))
+        self.sensors.publish(self.world, stamp)
         if self.markers.get_subscription_count():
             tolerance = self.world.scenario.goal_tolerance
             self.markers.publish(world_markers(state, tolerance, stamp, self.frames.odom))

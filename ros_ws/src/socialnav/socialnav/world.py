@@ -183,6 +183,7 @@ class World:
     def _start(self, case_index: int) -> None:
         """Lay out a case."""
         self.state = self._simulator.reset(seed=self.seed, split='test', cases=[case_index])
+        self.case_index = case_index
         self.episode, self.fresh, self.turn_rate = None, True, 0.0
         self.clock += BREAK
         self.drive(np.zeros(2))

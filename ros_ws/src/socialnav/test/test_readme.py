@@ -1,16 +1,27 @@
 """The tables of the README are those of the code."""
 
 from pathlib import Path
+import re
 
 import pytest
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
 from socialnav.parameters import POLICY_PARAMETERS, SIMULATOR_PARAMETERS
+from socialnav.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
 
 README = (Path(__file__).parents[1] / 'README.md').read_text()
 OWN_TOPICS = ('/rosout', '/parameter_events')
 OF_EVERY_NODE = ('rcl_interfaces/', 'lifecycle_msgs/', 'type_description_interfaces/')
-NODES = {'simulator_node': {'publish_clock': True}, 'policy_node': {'model': 'orca'}}
+NODES = {
+    'simulator_node': {
+        'publish_clock': True, 'publish_scan': True, 'publish_detections': True,
+    },
+    'policy_node': {'model': 'orca'},
+}  # fmt: skip
+SOURCES = [
+    ('obstacle_node', {'source': 'scan'}), ('obstacle_node', {'source': 'grid'}),
+    ('tracker_node', {'source': 'poses'}), ('tracker_node', {'source': 'agents'}),
+]  # fmt: skip
 
 
 def section(name):
@@ -42,8 +53,11 @@ def values_of(entry):
 
 @pytest.mark.parametrize(
     ('name', 'table'),
-    [('simulator_node', SIMULATOR_PARAMETERS), ('policy_node', POLICY_PARAMETERS)],
-)
+    [
+        ('simulator_node', SIMULATOR_PARAMETERS), ('policy_node', POLICY_PARAMETERS),
+        ('obstacle_node', OBSTACLE_PARAMETERS), ('tracker_node', TRACKER_PARAMETERS),
+    ],
+)  # fmt: skip
 def test_the_readme_lists_every_parameter_as_it_is(name, table):
     expected = [
         [
@@ -78,14 +92,22 @@ def qos_of(end):
     return 'reliable' if reliable else 'best effort', 'latched' if latched else 'volatile'
 
 
-@pytest.mark.parametrize('name', NODES)
-def test_the_readme_lists_every_topic_as_it_is(graph, name):
+def of_other_source(meaning, parameters):
+    """Return whether a topic is there only with another source of measurements."""
+    wanted = re.search(r'only with `source: (\w+)`', meaning)
+    return wanted is not None and wanted[1] != parameters['source']
+
+
+@pytest.mark.parametrize(('name', 'parameters'), [*NODES.items(), *SOURCES])
+def test_the_readme_lists_every_topic_as_it_is(graph, name, parameters):
     expected = set()
-    for direction, topic, kind, reliability, durability, _ in rows(section(name), 'direction'):
+    for direction, topic, kind, reliability, durability, text in rows(section(name), 'direction'):
+        if of_other_source(text, parameters):
+            continue
         full = topic.strip('`').replace('~', f'/{name}')
         full = full if full.startswith('/') else f'/{full}'
         expected.add((direction, full, kind, reliability, durability))
-    graph.start(name, **NODES[name])
+    graph.start(name, **parameters)
     graph.wait(lambda: len(endpoints(graph, name)) >= len(expected), 'topics')
     assert endpoints(graph, name) == expected
 

@@ -1,15 +1,17 @@
 """Laws of the simulator node, over the middleware."""
 
-from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
+from geometry_msgs.msg import PoseArray, PoseStamped, Twist, TwistStamped
 from nav_msgs.msg import OccupancyGrid, Odometry
 import numpy as np
 import pytest
 from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import LaserScan
 from std_srvs.srv import SetBool
 from visualization_msgs.msg import MarkerArray
 
 from socialnav import qos
 from socialnav.stamps import nanoseconds_of, time_message
+from socialnav_core.sensing import DetectorSettings, ScannerSettings, Sensors
 from socialnav_core.simulation import make_scenario, Simulator
 from socialnav_msgs.msg import AgentStates, EpisodeResult
 from socialnav_msgs.srv import StartEpisode
@@ -246,3 +248,25 @@ def test_markers_show_everybody(graph):
     names = [marker.ns for marker in markers if marker.action == marker.ADD]
     assert names.count('pedestrians') == 5 and names.count('obstacles') == 5
     assert names.count('robot') == 1 and names.count('goal') == 1
+
+
+def test_a_scan_and_detections_are_of_the_state_with_their_stamp(graph):
+    scans = graph.listen(LaserScan, 'scan', qos.SCAN)
+    detections = graph.listen(PoseArray, 'detections')
+    lockstep(graph, seed=4, publish_scan=True, publish_detections=True, scan_beams=90)
+    graph.wait(lambda: scans and detections, 'measurements')
+    state = Simulator(make_scenario('hard'), batch_size=1).reset(seed=4, cases=[0])
+    ranges = Sensors(ScannerSettings(90), DetectorSettings(), 4, 0).scan(state)
+    np.testing.assert_allclose(scans[0].ranges, ranges, rtol=1e-6)
+    seen = sorted((pose.position.x, pose.position.y) for pose in detections[0].poses)
+    assert seen == sorted(map(tuple, state.position[0][~state.static[0]]))
+    assert scans[0].header.stamp == detections[0].header.stamp
+
+
+def test_noise_of_sensors_does_not_change_the_world(graph):
+    odometry, publisher = lockstep(graph, seed=4, publish_scan=True, scan_noise=0.1)
+    advance(graph, odometry, publisher, x=1.0)
+    simulator = Simulator(make_scenario('hard'), batch_size=1)
+    simulator.reset(seed=4, cases=[0])
+    state = simulator.step(np.array([[1.0, 0.0]]))[0]
+    np.testing.assert_allclose(place(odometry[-1]), state.robot_position[0], atol=1e-9)

@@ -1,0 +1,100 @@
+"""The node that turns detections of people into pedestrians with names and velocities."""
+
+import sys
+
+from geometry_msgs.msg import PoseArray
+from nav_msgs.msg import Odometry
+from rclpy.node import Node
+
+from socialnav import qos
+from socialnav.conversions import ConversionError
+from socialnav.locating import Locator
+from socialnav.parameters import declare
+from socialnav.running import run
+from socialnav.sensor_messages import detection_points, tracks_message
+from socialnav.sensor_parameters import TRACKER_PARAMETERS
+from socialnav.stamps import header_message, nanoseconds_of
+from socialnav_core.sensing import Tracker, TrackerSettings
+from socialnav_msgs.msg import AgentStates
+
+SETTINGS = (
+    'hits', 'coast_time', 'gate', 'detection_noise', 'acceleration_noise', 'start_speed',
+)  # fmt: skip
+
+
+class TrackerNode(Node):
+    """Answers each message of detections with all confirmed tracks."""
+
+    def __init__(self) -> None:
+        """
+        Listen.
+
+        :raises ParameterError: a parameter that cannot be used.
+        """
+        super().__init__('tracker_node')
+        self.values = declare(self, TRACKER_PARAMETERS)
+        self.add_post_set_parameters_callback(self.on_parameters)
+        frames = (self.values[name] for name in ('planning_frame', 'base_frame'))
+        self.locator = Locator(*frames, self.values['pose_timeout'])
+        self.tracker = Tracker(self.settings())
+        self.pedestrians = self.create_publisher(AgentStates, 'pedestrians', qos.PEDESTRIANS)
+        kind = PoseArray if self.values['source'] == 'poses' else AgentStates
+        self.create_subscription(kind, 'detections', self.on_detections, qos.SENSOR_INPUT)
+        self.create_subscription(Odometry, 'odom', self.on_odometry, qos.SENSOR_INPUT)
+
+    def settings(self) -> TrackerSettings:
+        """Return what the parameters ask for."""
+        return TrackerSettings(**{name: self.values[name] for name in SETTINGS})
+
+    def on_parameters(self, parameters: list) -> None:
+        """
+        Use parameters that were changed.
+
+        :param parameters: of rclpy.
+        """
+        self.values.update({one.name: one.value for one in parameters})
+        self.tracker.settings = self.settings()
+
+    def on_odometry(self, message: Odometry) -> None:
+        """
+        Keep a pose of the robot, in whose frame detections may be.
+
+        :param message: of odom.
+        """
+        try:
+            self.locator.store(message)
+        except ConversionError as error:
+            self.refuse(error)
+
+    def on_detections(self, message: PoseArray | AgentStates) -> None:
+        """
+        Answer detections; nobody detected is an answer too.
+
+        :param message: where somebody was seen.
+        """
+        try:
+            points = detection_points(message, self.locator.frame)
+        except ConversionError as error:
+            self.refuse(error)
+            return
+        stamp = nanoseconds_of(message.header.stamp)
+        tracks = self.tracker.update(stamp * 1e-9, points)
+        header = header_message(stamp, self.locator.planning_frame)
+        radius = self.values['pedestrian_radius']
+        self.pedestrians.publish(tracks_message(tracks, radius, header))
+
+    def refuse(self, error: ConversionError) -> None:
+        """
+        Say why a message cannot be used.
+
+        :param error: the reason.
+        """
+        self.get_logger().warning(f'ignored: {error}', throttle_duration_sec=1.0)
+
+    def close(self) -> None:
+        """Do nothing: pedestrians that age are the policy's matter."""
+
+
+def main() -> None:
+    """Run the node."""
+    sys.exit(run(TrackerNode))

@@ -1,0 +1,101 @@
+"""Laws of the tracker node, over the middleware."""
+
+import signal
+
+from geometry_msgs.msg import PoseArray
+import numpy as np
+import pytest
+
+from socialnav import qos
+from socialnav.sensor_messages import detections_message
+from socialnav.stamps import nanoseconds_of
+from socialnav_msgs.msg import AgentStates
+
+SECOND = 10**9
+STEP = SECOND // 20
+VELOCITY = np.array([[1.0, 0.0], [-0.5, 0.5]])
+START = np.array([[0.0, 0.0], [3.0, 1.0]])
+
+
+class Detector:
+    """Publishes detections with stamps of its own, and collects pedestrians."""
+
+    def __init__(self, graph, **parameters):
+        self.graph, self.stamp = graph, SECOND
+        self.publisher = graph.node.create_publisher(PoseArray, 'detections', qos.DETECTIONS)
+        self.pedestrians = graph.listen(AgentStates, 'pedestrians', qos.PEDESTRIANS)
+        self.process = graph.start('tracker_node', **parameters)
+        graph.wait(self.publisher.get_subscription_count, 'node')
+
+    def tell(self, positions, frame='odom'):
+        """Publish detections of the next moment."""
+        self.stamp += STEP
+        self.publisher.publish(detections_message(positions, self.stamp, frame))
+
+    def answer(self, positions):
+        """Publish detections until they are answered; return the answer."""
+        self.pedestrians.clear()
+
+        def answered():
+            self.tell(positions(self.stamp + STEP))
+            self.graph.spin(0.05)
+            return self.pedestrians
+
+        return self.graph.wait(answered, 'pedestrians')[-1]
+
+
+def walking(stamp):
+    """Return where two people are who walk."""
+    return START + VELOCITY * (stamp - SECOND) * 1e-9
+
+
+def nobody(_):
+    return np.zeros((0, 2))
+
+
+def test_the_velocities_of_walking_people_converge(graph):
+    detector = Detector(graph)
+    answers = [detector.answer(walking) for _ in range(20)]
+    people = sorted(answers[-1].agents, key=lambda one: -one.velocity.x)
+    velocities = [(one.velocity.x, one.velocity.y) for one in people]
+    np.testing.assert_allclose(velocities, VELOCITY, atol=0.1)
+    positions = [(one.position.x, one.position.y) for one in people]
+    expected = walking(nanoseconds_of(answers[-1].header.stamp))
+    np.testing.assert_allclose(positions, expected, atol=0.05)
+    assert {one.id for one in people} == {one.id for one in answers[-10].agents}
+
+
+def test_people_who_are_seen_no_more_coast_and_vanish(graph):
+    detector = Detector(graph, coast_time=0.5)
+    for _ in range(5):
+        detector.answer(walking)
+    counts = [len(detector.answer(nobody).agents) for _ in range(12)]
+    assert counts[0] == 2 and counts[-1] == 0
+
+
+def test_without_detections_nothing_is_published(graph):
+    detector = Detector(graph)
+    detector.answer(walking)
+    graph.spin(0.3)
+    detector.pedestrians.clear()
+    graph.spin(1.0)
+    assert detector.pedestrians == []
+
+
+def test_detections_in_a_frame_that_is_not_known_are_not_answered(graph):
+    detector = Detector(graph)
+    detector.answer(walking)
+    graph.spin(0.3)
+    detector.pedestrians.clear()
+    for _ in range(5):
+        detector.tell(START, 'camera')
+        graph.spin(0.05)
+    assert detector.pedestrians == []
+
+
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_the_tracker_node_with_exit_code_0(graph, number):
+    process = Detector(graph).process
+    graph.kill(process, number)
+    graph.wait(lambda: process.poll() is not None, 'end of the process')
+    assert process.returncode == 0

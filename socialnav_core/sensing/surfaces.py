@@ -1,0 +1,112 @@
+"""From points on surfaces to the few discs that matter to a robot."""
+
+import dataclasses
+
+import numpy as np
+
+
+@dataclasses.dataclass(frozen=True)
+class SurfaceSettings:
+    """How discs are made of points."""
+
+    sectors: int = 36
+    """Number of equal sectors around the robot, one disc each at most."""
+    disc_radius: float = 0.1
+    """Radius of a disc, m."""
+    max_range: float = 6.0
+    """Points farther away than this are dropped, m."""
+    people_margin: float = 0.2
+    """Points no farther from a known person's rim than this belong to that person, m."""
+
+
+def scan_returns(
+    ranges: np.ndarray,
+    angle_min: float,
+    angle_increment: float,
+    range_min: float,
+    range_max: float,
+) -> np.ndarray:
+    """
+    Return where a scan hit something, in the frame of the laser, m, (returns, 2).
+
+    As REP-117 has it: inf is free, NaN is no measurement, -inf is nearer than range_min and is
+    taken to be there. Other ranges outside of the limits mean nothing.
+
+    :param ranges: m, (beams,).
+    :param angle_min: direction of the first beam, rad.
+    :param angle_increment: from beam to beam, rad, of either sign.
+    :param range_min: shortest range that counts, m.
+    :param range_max: longest range that counts, m.
+    :raises ValueError: where no beam measured anything, or the scan's own numbers cannot be.
+    """
+    ranges = np.asarray(ranges, dtype=float)
+    if not np.isfinite([angle_min, angle_increment, range_min]).all() or np.isnan(range_max):
+        raise ValueError('angles or limits with NaN or infinity')
+    if np.isnan(ranges).all():
+        raise ValueError('no beam measured anything')
+    ranges = np.where(np.isneginf(ranges), max(range_min, 0.0), ranges)
+    hit = np.isfinite(ranges) & (ranges >= range_min) & (ranges <= range_max)
+    angles = angle_min + angle_increment * np.arange(len(ranges))
+    rays = np.stack([np.cos(angles[hit]), np.sin(angles[hit])], axis=-1)
+    return ranges[hit, None] * rays
+
+
+def grid_returns(levels: np.ndarray, resolution: float, threshold: int) -> np.ndarray:
+    """
+    Return the centres of the occupied cells, in the frame of the grid's corner, m, (cells, 2).
+
+    :param levels: 0 to 100, -1 where nothing is known, (rows, columns), rows along y.
+    :param resolution: side of a cell, m.
+    :param threshold: smallest level that is occupied.
+    """
+    rows, columns = np.nonzero(levels >= threshold)
+    return (np.stack([columns, rows], axis=-1) + 0.5) * resolution
+
+
+def surrounding_discs(
+    points: np.ndarray,
+    robot: np.ndarray,
+    people_position: np.ndarray,
+    people_radius: np.ndarray,
+    settings: SurfaceSettings,
+    depth: float = 0.0,
+) -> tuple[np.ndarray, np.ndarray]:
+    """
+    Return the centres of discs, m, (discs, 2), and the sector of each, (discs,).
+
+    In each sector the nearest point counts. The disc lies behind it, seen from the robot, so that
+    its rim touches the point and the clearance is that of the surface. Sectors begin at the
+    world's x axis, so that they stay where they are when the robot turns.
+
+    :param points: on surfaces, m, (points, 2).
+    :param robot: its centre, m, (2,).
+    :param people_position: known people, whose returns are left out, m, (people, 2).
+    :param people_radius: of them, m, (people,).
+    :param settings: how discs are made.
+    :param depth: how much nearer than its point a surface may be, m.
+    """
+    offset = points - robot
+    distance = np.hypot(offset[:, 0], offset[:, 1])
+    wanted = (distance <= settings.max_range) & (distance > 0)
+    wanted &= ~within(points, people_position, people_radius + settings.people_margin)
+    offset, distance = offset[wanted], distance[wanted]
+    turn = np.arctan2(offset[:, 1], offset[:, 0]) / (2 * np.pi) % 1.0
+    sector = (turn * settings.sectors).astype(int) % settings.sectors
+    farthest_first = np.argsort(-distance, kind='stable')
+    nearest = np.full(settings.sectors, -1)
+    nearest[sector[farthest_first]] = farthest_first  # the last one written stays
+    chosen = nearest[nearest >= 0]
+    behind = np.maximum(distance[chosen] - depth, 0.0) + settings.disc_radius
+    return robot + offset[chosen] * (behind / distance[chosen])[:, None], sector[chosen]
+
+
+def within(points: np.ndarray, centres: np.ndarray, radii: np.ndarray) -> np.ndarray:
+    """
+    Return which points lie in some disc, bool (points,).
+
+    :param points: m, (points, 2).
+    :param centres: of the discs, m, (discs, 2).
+    :param radii: of the discs, m, (discs,).
+    """
+    gap = points[:, None] - centres
+    return (np.hypot(gap[..., 0], gap[..., 1]) <= radii).any(axis=1)

@@ -1,0 +1,112 @@
+"""Laws of discs that stand for surfaces."""
+
+import numpy as np
+import pytest
+
+from socialnav_core.sensing import (
+    beam_angles,
+    cast_rays,
+    grid_returns,
+    scan_returns,
+    SurfaceSettings,
+    surrounding_discs,
+)
+
+ROBOT = np.array([1.0, 2.0])
+NOBODY = np.zeros((0, 2)), np.zeros(0)
+
+
+def discs(points, people=NOBODY, **settings):
+    """Return the centres of the discs around ROBOT."""
+    return surrounding_discs(
+        np.array(points, float).reshape(-1, 2), ROBOT, *people, SurfaceSettings(**settings)
+    )[0]
+
+
+def scan(ranges, angle_min=0.0, angle_increment=np.pi / 2):
+    return scan_returns(np.array(ranges), angle_min, angle_increment, 0.1, 5.0)
+
+
+def test_the_rim_of_a_disc_touches_the_return_and_nothing_of_it_is_nearer():
+    (centre,) = discs([[4.0, 6.0]])
+    np.testing.assert_allclose(centre, ROBOT + np.array([0.6, 0.8]) * 5.1)
+
+
+def test_the_clearance_of_the_discs_is_that_of_the_surface():
+    angles = beam_angles(720)
+    ranges, _ = cast_rays(ROBOT, angles, np.array([[3.0, 1.0]]), np.array([0.7]))
+    rays = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+    hit = np.isfinite(ranges)
+    centres = discs(ROBOT + ranges[hit, None] * rays[hit], disc_radius=0.2)
+    clearance = np.linalg.norm(centres - ROBOT, axis=1).min() - 0.2
+    assert clearance == pytest.approx(np.sqrt(5.0) - 0.7, abs=1e-3)
+
+
+def test_the_nearest_return_of_a_sector_counts():
+    (centre,) = discs(ROBOT + [[3.0, 0.1], [2.0, 0.1], [4.0, 0.1]])
+    assert np.linalg.norm(centre - ROBOT) == pytest.approx(np.hypot(2.0, 0.1) + 0.1)
+
+
+def test_every_sector_has_a_disc_of_its_own():
+    points = ROBOT + 2.0 * np.stack([np.cos(beam_angles(720)), np.sin(beam_angles(720))], axis=-1)
+    _, sectors = surrounding_discs(points, ROBOT, *NOBODY, SurfaceSettings(sectors=36))
+    assert sorted(sectors) == list(range(36))
+
+
+def test_returns_beyond_the_range_are_dropped():
+    assert len(discs([[8.0, 2.0]], max_range=6.0)) == 0
+    assert len(discs([[8.0, 2.0]], max_range=7.5)) == 1
+
+
+def test_returns_of_known_people_are_masked_out_and_others_are_not():
+    people = np.array([[3.0, 2.0]]), np.array([0.3])
+    assert len(discs([[2.6, 2.0]], people, people_margin=0.2)) == 0
+    assert len(discs([[2.6, 2.0]], people, people_margin=0.05)) == 1
+
+
+def test_a_masked_return_does_not_hide_what_is_behind_it():
+    people = np.array([[3.0, 2.0]]), np.array([0.3])
+    (centre,) = discs([[2.7, 2.05], [5.0, 2.05]], people)
+    assert centre[0] > 5.0
+
+
+def test_a_scan_is_read_from_its_first_beam_on_in_either_direction():
+    np.testing.assert_allclose(scan([1.0, 2.0]), [[1.0, 0.0], [0.0, 2.0]], atol=1e-12)
+    back = scan([1.0, 2.0], angle_increment=-np.pi / 2)
+    np.testing.assert_allclose(back, [[1.0, 0.0], [0.0, -2.0]], atol=1e-12)
+
+
+@pytest.mark.parametrize('free', [np.inf, np.nan, 0.05, 5.1, -1.0])
+def test_a_beam_without_a_valid_range_hits_nothing(free):
+    np.testing.assert_allclose(scan([1.0, free]), [[1.0, 0.0]])
+
+
+def test_what_is_too_near_to_be_measured_stands_at_the_shortest_range():
+    np.testing.assert_allclose(scan([-np.inf]), [[0.1, 0.0]])
+
+
+def test_a_scan_of_free_beams_hits_nothing():
+    assert len(scan([np.inf, np.inf])) == 0
+
+
+@pytest.mark.parametrize('ranges', [[], [np.nan, np.nan]])
+def test_a_scan_that_measured_nothing_is_refused(ranges):
+    with pytest.raises(ValueError, match='no beam measured'):
+        scan(ranges)
+
+
+@pytest.mark.parametrize('position', range(4))
+def test_a_scan_with_a_number_that_cannot_be_is_refused(position):
+    numbers = [0.0, 0.1, 0.1, 5.0]
+    numbers[position] = np.nan
+    with pytest.raises(ValueError, match='NaN'):
+        scan_returns(np.ones(3), *numbers)
+
+
+def test_only_occupied_cells_of_a_grid_return():
+    levels = np.array([[0, 100, -1], [64, 65, 0]])
+    np.testing.assert_allclose(grid_returns(levels, 0.5, 65), [[0.75, 0.25], [0.75, 0.75]])
+
+
+def test_no_points_give_no_discs():
+    assert discs([]).shape == (0, 2)
