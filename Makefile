@@ -4,7 +4,7 @@ SHELL := /bin/bash
 RUN := source scripts/environment.bash &&
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test test-all lint bench train docs clean
+.PHONY: help setup build demo demo-sensors test test-all lint bench train docs clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1\t\2/p' Makefile | expand -t 18
@@ -17,6 +17,9 @@ build: setup  ## build the ROS 2 workspace into ros_ws/install
 
 demo: build  ## drive a robot through a crowd over ROS 2, five episodes; REAL_TIME=1 paces it
 	@$(RUN) ros2 run socialnav demo --scenario hard --episodes 5 --out out/demo $(if $(filter 1,$(REAL_TIME)),--real-time)
+
+demo-sensors: build  ## the same with a laser scan and detections as all that the policy is told
+	@$(RUN) ros2 run socialnav demo --sensors --scenario hard --episodes 5 --out out/demo_sensors
 
 test: setup  ## everything that continuous integration runs; OPTIONS go to pytest
 	@scripts/test.sh $(OPTIONS)

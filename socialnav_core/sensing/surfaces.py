@@ -9,12 +9,14 @@ import numpy as np
 class SurfaceSettings:
     """How discs are made of points."""
 
-    sectors: int = 36
+    sectors: int = 18
     """Number of equal sectors around the robot, one disc each at most."""
-    disc_radius: float = 0.1
+    disc_radius: float = 0.3
     """Radius of a disc, m."""
     max_range: float = 6.0
     """Points farther away than this are dropped, m."""
+    bounds: float = np.inf
+    """Half-width of the square around the world's origin; points outside are dropped, m."""
     people_margin: float = 0.2
     """Points no farther from a known person's rim than this belong to that person, m."""
 
@@ -88,6 +90,7 @@ def surrounding_discs(
     offset = points - robot
     distance = np.hypot(offset[:, 0], offset[:, 1])
     wanted = (distance <= settings.max_range) & (distance > 0)
+    wanted &= np.abs(points).max(axis=1, initial=0.0) < settings.bounds
     wanted &= ~within(points, people_position, people_radius + settings.people_margin)
     offset, distance = offset[wanted], distance[wanted]
     turn = np.arctan2(offset[:, 1], offset[:, 0]) / (2 * np.pi) % 1.0

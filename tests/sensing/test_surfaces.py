@@ -29,7 +29,7 @@ def scan(ranges, angle_min=0.0, angle_increment=np.pi / 2):
 
 def test_the_rim_of_a_disc_touches_the_return_and_nothing_of_it_is_nearer():
     (centre,) = discs([[4.0, 6.0]])
-    np.testing.assert_allclose(centre, ROBOT + np.array([0.6, 0.8]) * 5.1)
+    np.testing.assert_allclose(centre, ROBOT + np.array([0.6, 0.8]) * 5.3)
 
 
 def test_the_clearance_of_the_discs_is_that_of_the_surface():
@@ -44,7 +44,7 @@ def test_the_clearance_of_the_discs_is_that_of_the_surface():
 
 def test_the_nearest_return_of_a_sector_counts():
     (centre,) = discs(ROBOT + [[3.0, 0.1], [2.0, 0.1], [4.0, 0.1]])
-    assert np.linalg.norm(centre - ROBOT) == pytest.approx(np.hypot(2.0, 0.1) + 0.1)
+    assert np.linalg.norm(centre - ROBOT) == pytest.approx(np.hypot(2.0, 0.1) + 0.3)
 
 
 def test_every_sector_has_a_disc_of_its_own():
@@ -56,6 +56,11 @@ def test_every_sector_has_a_disc_of_its_own():
 def test_returns_beyond_the_range_are_dropped():
     assert len(discs([[8.0, 2.0]], max_range=6.0)) == 0
     assert len(discs([[8.0, 2.0]], max_range=7.5)) == 1
+
+
+def test_points_outside_of_the_bounds_are_dropped():
+    assert len(discs([[4.0, 2.0]], bounds=4.1)) == 1
+    assert len(discs([[4.0, 2.0]], bounds=3.9)) == 0
 
 
 def test_returns_of_known_people_are_masked_out_and_others_are_not():

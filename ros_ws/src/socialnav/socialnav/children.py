@@ -17,35 +17,42 @@ Nodes = dict[str, subprocess.Popen]
 
 @contextmanager
 def running_nodes(
-    parameters: Mapping[str, Mapping[str, object]], environment: Mapping[str, str]
+    parameters: Mapping[str, Mapping[str, object]],
+    environment: Mapping[str, str],
+    topics: Mapping[str, Mapping[str, str]] | None = None,
 ) -> Iterator[Nodes]:
     """
     Start nodes of this package; stop them at the end, whatever happens.
 
     :param parameters: of each node, by the name of its executable.
     :param environment: of the processes.
+    :param topics: other names of topics of a node, by the name of its executable.
     """
     nodes: Nodes = {}
     try:
         for name, values in parameters.items():
-            nodes[name] = subprocess.Popen(
-                command_line(name, values), env=dict(environment), start_new_session=True
-            )
+            command = command_line(name, values, (topics or {}).get(name, {}))
+            nodes[name] = subprocess.Popen(command, env=dict(environment), start_new_session=True)
         yield nodes
     finally:
         stop(list(nodes.values()))
 
 
-def command_line(name: str, parameters: Mapping[str, object]) -> list[str]:
+def command_line(
+    name: str, parameters: Mapping[str, object], topics: Mapping[str, str] | None = None
+) -> list[str]:
     """
     Return how a node of this package is started, warnings and errors only.
 
     :param name: of its executable.
     :param parameters: its parameters.
+    :param topics: other names of its topics.
     """
     executable = Path(get_package_prefix('socialnav')) / 'lib' / 'socialnav' / name
     assignments = [f'{key}:={parameter_text(value)}' for key, value in parameters.items()]
     flags = [text for assignment in assignments for text in ('-p', assignment)]
+    renamed = [f'{old}:={new}' for old, new in (topics or {}).items()]
+    flags += [text for rule in renamed for text in ('-r', rule)]
     return [str(executable), '--ros-args', '--log-level', 'warn', *flags]
 
 

@@ -1,4 +1,4 @@
-"""Both nodes as two processes for some episodes, with a summary and a picture at the end."""
+"""The nodes as processes for some episodes, with a summary and a picture at the end."""
 
 import argparse
 import os
@@ -12,6 +12,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.signals import SignalHandlerOptions
 
 from socialnav.children import Nodes, running_nodes
+from socialnav.demo_graph import node_parameters, node_topics, TRUTH
 from socialnav.demo_node import DemoNode
 from socialnav.demo_report import row, table, write_json
 from socialnav.episode_recorder import cause
@@ -26,6 +27,7 @@ EXAMPLES = """examples:
   ros2 run socialnav demo
   ros2 run socialnav demo --episodes 20 --scenario crowd20 --model orca --out out/crowd
   ros2 run socialnav demo --real-time
+  ros2 run socialnav demo --sensors --out out/demo_sensors
 """
 
 
@@ -70,9 +72,20 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         '--out', type=Path, default=Path('out/demo'), help='folder to write (default: out/demo)'
     )
     parser.add_argument('--real-time', action='store_true', help='to watch: not in lockstep')
+    parser.add_argument(
+        '--sensors', action='store_true',
+        help='the policy knows only a laser scan and detections of people; in real time',
+    )  # fmt: skip
+    parser.add_argument(
+        '--real-time-factor', type=float, default=1.0, metavar='N',
+        help='simulated time per real time, where that counts (default: 1)',
+    )  # fmt: skip
     options = parser.parse_args(arguments)
+    options.real_time = options.real_time or options.sensors
     if options.episodes < 1 or options.seed < 0:
         parser.error('--episodes must be at least 1 and --seed not negative')
+    if not 0.1 <= options.real_time_factor <= 20:
+        parser.error('--real-time-factor must lie between 0.1 and 20')
     try:
         make_scenario(options.scenario)
     except ValueError as error:
@@ -88,31 +101,19 @@ def run_demo(options: argparse.Namespace) -> None:
     :raises DemoError: a node died, nothing came for a minute, or the robot never moved.
     """
     options.out.mkdir(parents=True, exist_ok=True)
-    listener = DemoNode()
-    with running_nodes(node_parameters(options), os.environ) as nodes:
+    listener = DemoNode(TRUTH if options.sensors else {})
+    graph = node_parameters(options), os.environ, node_topics(options)
+    with running_nodes(*graph) as nodes:
         listen(listener, nodes, options.episodes)
     results = listener.results[: options.episodes]
     print(f'\n{table(results)}', flush=True)
+    if options.real_time:
+        print(listener.punctuality())
     write_json(results, options.out / 'episodes.json')
     if not any(result.path_length for result in results):
         raise DemoError('the robot never moved: nothing was decided')
     write_picture(listener, options)
     print(f'written: {options.out}/episodes.json, {options.out}/episode.gif')
-
-
-def node_parameters(options: argparse.Namespace) -> dict[str, dict[str, object]]:
-    """
-    Return the parameters of each node.
-
-    :param options: of the command line.
-    """
-    both = {'scenario': options.scenario, 'lockstep': not options.real_time}
-    simulator = {'seed': options.seed, 'episodes': options.episodes}
-    limits = {} if not options.real_time else {'bounds': make_scenario(options.scenario).bounds}
-    return {
-        'simulator_node': both | simulator,
-        'policy_node': both | {'model': options.model} | limits,
-    }
 
 
 def listen(listener: DemoNode, nodes: Nodes, episodes: int) -> None:

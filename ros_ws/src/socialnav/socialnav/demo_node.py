@@ -1,5 +1,6 @@
 """The listener of the demo: it knows an episode only from its topics."""
 
+from collections.abc import Mapping
 from functools import partial
 import time
 from typing import Any
@@ -18,20 +19,26 @@ from socialnav_msgs.msg import AgentStates, EpisodeResult
 class DemoNode(Node):
     """Listens to everything that an episode consists of."""
 
-    def __init__(self) -> None:
-        """Subscribe."""
+    def __init__(self, topics: Mapping[str, str]) -> None:
+        """
+        Subscribe.
+
+        :param topics: other names of topics.
+        """
         super().__init__('demo')
         self.recorder = EpisodeRecorder()
         self.results: list[EpisodeResult] = []
         self.latest_progress = time.monotonic()
         self.problem: str | None = None
+        self.facts: dict[str, str] = {}
         for name, kind, profile in (
             ('odom', Odometry, qos.RECORDING),
             ('pedestrians', AgentStates, qos.RECORDING),
             ('goal_pose', PoseStamped, qos.RECORDING),
             ('obstacles', AgentStates, qos.LATCHED_RECORDING),
         ):
-            self.create_subscription(kind, name, partial(self.on_input, name), profile)
+            topic = topics.get(name, name)
+            self.create_subscription(kind, topic, partial(self.on_input, name), profile)
         self.create_subscription(
             EpisodeResult, 'episode_result', self.on_result, qos.LATCHED_RECORDING
         )
@@ -60,10 +67,18 @@ class DemoNode(Node):
 
     def on_diagnostics(self, message: DiagnosticArray) -> None:
         """
-        Store why the policy cannot drive.
+        Store what the policy counts, and why it cannot drive.
 
         :param message: health of a node.
         """
         for status in message.status:
-            if status.name == 'policy_node' and is_unusable(status):
+            if status.name != 'policy_node':
+                continue
+            self.facts = {value.key: value.value for value in status.values}
+            if is_unusable(status):
                 self.problem = status.message
+
+    def punctuality(self) -> str:
+        """Return how many decisions of the policy came too late, as far as is known."""
+        late, decisions = (self.facts.get(f'{which}decisions', '?') for which in ('late ', ''))
+        return f'{late} of {decisions} decisions were late'

@@ -91,12 +91,9 @@ class ObstacleFinder:
     def _obstacles(self, points: np.ndarray, robot: Pose, stamp: int, depth: float) -> AgentStates:
         """Return the discs behind points of surfaces."""
         values = self.values
-        inside = np.abs(points).max(axis=1, initial=0.0) < values['bounds']
-        names = ('sectors', 'disc_radius', 'max_range', 'people_margin')
+        names = ('sectors', 'disc_radius', 'max_range', 'bounds', 'people_margin')
         settings = SurfaceSettings(**{name: values[name] for name in names})
-        discs = surrounding_discs(
-            points[inside], robot.position, *self._people_at(stamp), settings, depth
-        )
+        discs = surrounding_discs(points, robot.position, *self._people_at(stamp), settings, depth)
         header = header_message(stamp, self.locator.planning_frame)
         return discs_message(*discs, settings.disc_radius, header)
 

@@ -27,10 +27,10 @@ OBSTACLE_PARAMETERS = (
     ),
     Entry('grid_rate', 10.0, 'messages made of a grid per second', 'Hz', (0.1, 100.0)),
     Entry(
-        'sectors', 36, 'equal sectors around the robot, at most one disc in each',
+        'sectors', 18, 'equal sectors around the robot, at most one disc in each',
         '', (4, 720), live='yes',
     ),
-    Entry('disc_radius', 0.1, 'radius of a disc', 'm', (0.01, 2.0), live='yes'),
+    Entry('disc_radius', 0.3, 'radius of a disc', 'm', (0.01, 2.0), live='yes'),
     Entry(
         'max_range', 6.0, 'surfaces farther from the robot do not count',
         'm', (0.1, 100.0), live='yes',

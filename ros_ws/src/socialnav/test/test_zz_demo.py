@@ -118,6 +118,16 @@ def test_an_interrupted_demo_takes_its_nodes_with_it(tmp_path, number):
     assert not any(map(alive, nodes))
 
 
+def test_a_robot_that_only_measures_reaches_its_goal(tmp_path):
+    options = ('--sensors', '--scenario', 'simple', '--seed', 3, '--episodes', 1)
+    process = demo(*options, '--out', tmp_path)
+    text, errors = process.communicate()
+    assert process.returncode == 0, errors
+    assert '1 of 1 reached the goal' in text and re.search(
+        r'^\d+ of \d+ decisions were late', text, re.MULTILINE
+    )
+
+
 def test_a_scenario_that_does_not_exist_is_a_mistake_of_usage():
     process = demo('--scenario', 'hart')
     _, errors = process.communicate()

@@ -1,0 +1,47 @@
+"""Laws of what the demo starts."""
+
+import pytest
+
+from socialnav.demo import parse
+from socialnav.demo_graph import node_parameters, node_topics
+from socialnav.parameters import POLICY_PARAMETERS, SIMULATOR_PARAMETERS
+from socialnav.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
+
+TABLES = {
+    'simulator_node': SIMULATOR_PARAMETERS,
+    'policy_node': POLICY_PARAMETERS,
+    'obstacle_node': OBSTACLE_PARAMETERS,
+    'tracker_node': TRACKER_PARAMETERS,
+}
+
+
+@pytest.mark.parametrize('flags', [[], ['--real-time'], ['--sensors']])
+def test_every_parameter_that_is_given_exists(flags):
+    for name, values in node_parameters(parse(flags)).items():
+        assert values.keys() <= {entry.name for entry in TABLES[name]} | {'use_sim_time'}
+
+
+@pytest.mark.parametrize('flags', [['--real-time'], ['--sensors']])
+def test_in_real_time_everybody_has_the_clock_of_the_simulator(flags):
+    nodes = node_parameters(parse(flags))
+    assert nodes.pop('simulator_node')['publish_clock']
+    assert all(values['use_sim_time'] for values in nodes.values())
+
+
+def test_a_world_that_runs_faster_is_told_as_often_in_its_own_time():
+    fast = node_parameters(parse(['--real-time', '--real-time-factor', '2']))['simulator_node']
+    assert fast['publish_rate'] / fast['real_time_factor'] == 20.0
+
+
+def test_a_robot_that_measures_is_not_told_the_truth():
+    options = parse(['--sensors'])
+    renamed = node_topics(options)['simulator_node']
+    assert {'pedestrians', 'obstacles'} == renamed.keys()
+    assert not renamed.keys() & set(renamed.values())
+    assert set(node_parameters(options)) == set(TABLES)
+
+
+def test_a_demo_in_lockstep_has_two_nodes_with_the_usual_topics():
+    options = parse([])
+    assert set(node_parameters(options)) == {'simulator_node', 'policy_node'}
+    assert node_topics(options) == {}
