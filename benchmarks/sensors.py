@@ -57,7 +57,7 @@ class Settings:
     detector: DetectorSettings = DetectorSettings(noise=0.05, missed=0.1)
     surfaces: SurfaceSettings = SurfaceSettings()
     tracker: TrackerSettings = TrackerSettings()
-    pedestrian_radius: float = 0.3
+    pedestrian_radius: float = 0.35
     max_agents: int = 20
     walls_told: bool = True
 
@@ -77,18 +77,18 @@ class Perception:
 
     def agents(self, state: CrowdState) -> tuple[np.ndarray, ...]:
         """Return position, velocity, radius and static of whom the robot knows near by."""
-        tracks, discs = self.tracks, self._discs(state)
+        tracks, (discs, radii) = self.tracks, self._discs(state)
         position = np.concatenate([tracks.position, discs])
         velocity = np.concatenate([tracks.velocity, np.zeros_like(discs)])
         static = np.arange(len(position)) >= len(tracks.id)
-        radii = self.settings.pedestrian_radius, self.settings.surfaces.disc_radius
-        radius = np.where(static, radii[1], radii[0])
+        people = np.full(len(tracks.id), self.settings.pedestrian_radius)
+        radius = np.concatenate([people, radii])
         gap = np.linalg.norm(position - state.robot_position[0], axis=1) - radius
         nearest = np.argsort(gap, kind='stable')[: self.settings.max_agents]
         return position[nearest], velocity[nearest], radius[nearest], static[nearest]
 
-    def _discs(self, state: CrowdState) -> np.ndarray:
-        """Return the centres of the discs that a scan of the first world becomes, (discs, 2)."""
+    def _discs(self, state: CrowdState) -> tuple[np.ndarray, np.ndarray]:
+        """Return centres and radii of the discs that a scan of the first world becomes."""
         ranges = self.sensors.scan(state)
         first, second = beam_angles(len(ranges))[:2]
         points = scan_returns(ranges, first, second - first, 0.0, np.inf)
@@ -98,7 +98,7 @@ class Perception:
             surfaces = dataclasses.replace(surfaces, bounds=bounds)
         points = to_world(points, Pose(*position.tolist(), float(state.robot_heading[0])))
         people = np.full(len(self.tracks.id), self.settings.pedestrian_radius)
-        return surrounding_discs(points, position, self.tracks.position, people, surfaces)[0]
+        return surrounding_discs(points, position, self.tracks.position, people, surfaces)
 
 
 def known(state: CrowdState, perceptions: list[Perception], settings: Settings) -> CrowdState:

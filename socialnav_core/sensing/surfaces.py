@@ -4,17 +4,30 @@ import dataclasses
 
 import numpy as np
 
+from socialnav_core.sensing.circles import circles_of
+
+VISIBLE_SECTORS = 720
+"""Within so small a sector only the nearest point is on what the robot sees."""
+RIM_TOLERANCES = 3
+"""Points so many tolerances outside of a circle are still on it."""
+
 
 @dataclasses.dataclass(frozen=True)
 class SurfaceSettings:
     """How discs are made of points."""
 
     sectors: int = 18
-    """Number of equal sectors around the robot, one disc each at most."""
+    """Number of equal sectors around the robot, at most one disc in each."""
     disc_radius: float = 0.3
-    """Radius of a disc, m."""
+    """Radius of these discs, m."""
     max_range: float = 6.0
     """Points farther away than this are dropped, m."""
+    smallest_circle: float = 0.05
+    """Surfaces on a circle of at least this radius become one disc, m."""
+    largest_circle: float = 2.0
+    """Surfaces on a circle up to this radius become one disc, m; 0: none do."""
+    circle_tolerance: float = 0.04
+    """Root mean square distance of the points from such a circle, m."""
     bounds: float = np.inf
     """Half-width of the square around the world's origin; points outside are dropped, m."""
     people_margin: float = 0.2
@@ -74,11 +87,12 @@ def surrounding_discs(
     depth: float = 0.0,
 ) -> tuple[np.ndarray, np.ndarray]:
     """
-    Return the centres of discs, m, (discs, 2), and the sector of each, (discs,).
+    Return discs that stand for surfaces: centres, m, (discs, 2), and radii, m, (discs,).
 
-    In each sector the nearest point counts. The disc lies behind it, seen from the robot, so that
-    its rim touches the point and the clearance is that of the surface. Sectors begin at the
-    world's x axis, so that they stay where they are when the robot turns.
+    What looks round becomes one disc. For the rest, the nearest point in each sector counts: a
+    disc lies behind it, seen from the robot, so that its rim touches the point and the clearance
+    is that of the surface. Sectors begin at the world's x axis, so that they stay where they are
+    when the robot turns.
 
     :param points: on surfaces, m, (points, 2).
     :param robot: its centre, m, (2,).
@@ -92,15 +106,32 @@ def surrounding_discs(
     wanted = (distance <= settings.max_range) & (distance > 0)
     wanted &= np.abs(points).max(axis=1, initial=0.0) < settings.bounds
     wanted &= ~within(points, people_position, people_radius + settings.people_margin)
-    offset, distance = offset[wanted], distance[wanted]
+    offset = offset[wanted]
+    tolerance = settings.circle_tolerance
+    limits = settings.smallest_circle, settings.largest_circle, tolerance
+    centres, radii = circles_of(nearest_of_sectors(offset, VISIBLE_SECTORS), *limits)
+    rest = offset[~within(offset, centres, radii + RIM_TOLERANCES * tolerance)]
+    points = nearest_of_sectors(rest, settings.sectors)
+    distance = np.hypot(points[:, 0], points[:, 1])
+    behind = np.maximum(distance - depth, 0.0) + settings.disc_radius
+    discs = points * (behind / distance)[:, None]
+    small = np.full(len(discs), settings.disc_radius)
+    return robot + np.concatenate([centres, discs]), np.concatenate([radii + depth, small])
+
+
+def nearest_of_sectors(offset: np.ndarray, sectors: int) -> np.ndarray:
+    """
+    Return the nearest point in each sector where there is one, m, (nearest, 2).
+
+    :param offset: of the points from the robot, m, (points, 2).
+    :param sectors: number of equal sectors around the robot.
+    """
     turn = np.arctan2(offset[:, 1], offset[:, 0]) / (2 * np.pi) % 1.0
-    sector = (turn * settings.sectors).astype(int) % settings.sectors
-    farthest_first = np.argsort(-distance, kind='stable')
-    nearest = np.full(settings.sectors, -1)
+    sector = (turn * sectors).astype(int) % sectors
+    farthest_first = np.argsort(-np.hypot(offset[:, 0], offset[:, 1]), kind='stable')
+    nearest = np.full(sectors, -1)
     nearest[sector[farthest_first]] = farthest_first  # the last one written stays
-    chosen = nearest[nearest >= 0]
-    behind = np.maximum(distance[chosen] - depth, 0.0) + settings.disc_radius
-    return robot + offset[chosen] * (behind / distance[chosen])[:, None], sector[chosen]
+    return offset[nearest[nearest >= 0]]
 
 
 def within(points: np.ndarray, centres: np.ndarray, radii: np.ndarray) -> np.ndarray:

@@ -32,25 +32,45 @@ def test_the_rim_of_a_disc_touches_the_return_and_nothing_of_it_is_nearer():
     np.testing.assert_allclose(centre, ROBOT + np.array([0.6, 0.8]) * 5.3)
 
 
-def test_the_clearance_of_the_discs_is_that_of_the_surface():
+def seen(position, radius, bounds=np.inf):
+    """Return the points that a scan from ROBOT hits."""
     angles = beam_angles(720)
-    ranges, _ = cast_rays(ROBOT, angles, np.array([[3.0, 1.0]]), np.array([0.7]))
+    ranges, _ = cast_rays(ROBOT, angles, np.array(position), np.array(radius), bounds)
     rays = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
     hit = np.isfinite(ranges)
-    centres = discs(ROBOT + ranges[hit, None] * rays[hit], disc_radius=0.2)
-    clearance = np.linalg.norm(centres - ROBOT, axis=1).min() - 0.2
+    return ROBOT + ranges[hit, None] * rays[hit]
+
+
+@pytest.mark.parametrize('largest', [0.0, 2.0])
+def test_the_clearance_of_the_discs_is_that_of_the_surface(largest):
+    points = seen([[3.0, 1.0]], [0.7])
+    settings = SurfaceSettings(disc_radius=0.2, largest_circle=largest)
+    centres, radii = surrounding_discs(points, ROBOT, *NOBODY, settings)
+    clearance = (np.linalg.norm(centres - ROBOT, axis=1) - radii).min()
     assert clearance == pytest.approx(np.sqrt(5.0) - 0.7, abs=1e-3)
+
+
+def test_round_things_become_one_disc_each_of_their_place_and_size():
+    position, radius = np.array([[3.0, 1.0], [-1.0, 4.0]]), np.array([0.7, 1.2])
+    points = seen(position, radius)
+    noise = np.random.default_rng(0).normal(scale=0.02, size=points.shape)
+    centres, radii = surrounding_discs(points + noise, ROBOT, *NOBODY, SurfaceSettings())
+    order = np.argsort(radii)
+    np.testing.assert_allclose(centres[order], position, atol=0.1)
+    np.testing.assert_allclose(radii[order], radius, atol=0.1)
+
+
+@pytest.mark.parametrize('sectors', [12, 36])
+def test_straight_walls_become_one_small_disc_in_each_sector(sectors):
+    points = seen(np.zeros((0, 2)), [], bounds=4.0)
+    settings = SurfaceSettings(sectors=sectors, max_range=20.0)
+    _, radii = surrounding_discs(points, ROBOT, *NOBODY, settings)
+    assert len(radii) == sectors and (radii == settings.disc_radius).all()
 
 
 def test_the_nearest_return_of_a_sector_counts():
     (centre,) = discs(ROBOT + [[3.0, 0.1], [2.0, 0.1], [4.0, 0.1]])
     assert np.linalg.norm(centre - ROBOT) == pytest.approx(np.hypot(2.0, 0.1) + 0.3)
-
-
-def test_every_sector_has_a_disc_of_its_own():
-    points = ROBOT + 2.0 * np.stack([np.cos(beam_angles(720)), np.sin(beam_angles(720))], axis=-1)
-    _, sectors = surrounding_discs(points, ROBOT, *NOBODY, SurfaceSettings(sectors=36))
-    assert sorted(sectors) == list(range(36))
 
 
 def test_returns_beyond_the_range_are_dropped():

@@ -13,6 +13,9 @@ from socialnav.stamps import header_message, nanoseconds_of
 from socialnav_core.sensing import Pose, SurfaceSettings, surrounding_discs, to_world
 from socialnav_msgs.msg import AgentStates
 
+SETTINGS = (
+    'sectors', 'disc_radius', 'largest_circle', 'max_range', 'bounds', 'people_margin',
+)  # fmt: skip
 HALF_DIAGONAL = 0.5**0.5
 """Of a cell, in sides: a surface may be so much nearer than the centre of its cell."""
 
@@ -91,11 +94,10 @@ class ObstacleFinder:
     def _obstacles(self, points: np.ndarray, robot: Pose, stamp: int, depth: float) -> AgentStates:
         """Return the discs behind points of surfaces."""
         values = self.values
-        names = ('sectors', 'disc_radius', 'max_range', 'bounds', 'people_margin')
-        settings = SurfaceSettings(**{name: values[name] for name in names})
+        settings = SurfaceSettings(**{name: values[name] for name in SETTINGS})
         discs = surrounding_discs(points, robot.position, *self._people_at(stamp), settings, depth)
         header = header_message(stamp, self.locator.planning_frame)
-        return discs_message(*discs, settings.disc_radius, header)
+        return discs_message(*discs, header)
 
     def _people_at(self, stamp: int) -> tuple[np.ndarray, np.ndarray]:
         """Return where known people are by then, (people, 2), and their radii; none if unknown."""

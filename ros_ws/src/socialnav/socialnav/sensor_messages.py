@@ -130,19 +130,18 @@ def tracks_message(tracks: Tracks, radius: float, header: Header) -> AgentStates
     return AgentStates(header=header, agents=agents)
 
 
-def discs_message(
-    centres: np.ndarray, sectors: np.ndarray, radius: float, header: Header
-) -> AgentStates:
+def discs_message(centres: np.ndarray, radii: np.ndarray, header: Header) -> AgentStates:
     """
-    Return what stands; the id of a disc is its sector.
+    Return what stands; the id of a disc is its place, and tells nothing later.
 
     :param centres: m, (discs, 2).
-    :param sectors: of the discs, (discs,).
-    :param radius: of all discs, m.
+    :param radii: m, (discs,).
     :param header: time and frame of the discs.
     """
     agents = [
         AgentState(id=number, position=Point(x=x, y=y), radius=radius)
-        for number, (x, y) in zip(sectors.tolist(), centres.tolist(), strict=True)
+        for number, ((x, y), radius) in enumerate(
+            zip(centres.tolist(), radii.tolist(), strict=True)
+        )
     ]
     return AgentStates(header=header, agents=agents)

@@ -27,10 +27,14 @@ OBSTACLE_PARAMETERS = (
     ),
     Entry('grid_rate', 10.0, 'messages made of a grid per second', 'Hz', (0.1, 100.0)),
     Entry(
-        'sectors', 18, 'equal sectors around the robot, at most one disc in each',
+        'largest_circle', 2.0, 'surfaces on a circle up to this radius become one disc; 0: none',
+        'm', (0.0, 10.0), live='yes',
+    ),
+    Entry(
+        'sectors', 18, 'equal sectors around the robot, with at most one disc for other surfaces',
         '', (4, 720), live='yes',
     ),
-    Entry('disc_radius', 0.3, 'radius of a disc', 'm', (0.01, 2.0), live='yes'),
+    Entry('disc_radius', 0.3, 'radius of such a disc', 'm', (0.01, 2.0), live='yes'),
     Entry(
         'max_range', 6.0, 'surfaces farther from the robot do not count',
         'm', (0.1, 100.0), live='yes',
@@ -59,7 +63,10 @@ TRACKER_PARAMETERS = (
     FRAME,
     Entry('base_frame', 'base_link', 'frame of the robot: detections may be in it'),
     POSE_TIMEOUT,
-    Entry('pedestrian_radius', 0.3, 'radius of everybody', 'm', (0.05, 2.0), live='yes'),
+    Entry(
+        'pedestrian_radius', 0.35, 'radius of everybody, with what the tracker may be wrong by',
+        'm', (0.05, 2.0), live='yes',
+    ),
     Entry(
         'hits', 2, 'detections that confirm a track; others are not published',
         '', (1, 100), live='yes',

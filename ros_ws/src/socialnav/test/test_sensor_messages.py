@@ -126,6 +126,6 @@ def test_tracks_become_pedestrians_with_their_names_and_velocities():
 
 
 def test_discs_become_obstacles_that_stand():
-    agents = discs_message(POSITIONS, np.array([4, 9]), 0.1, header_message(0, 'odom')).agents
-    assert [agent.id for agent in agents] == [4, 9]
+    agents = discs_message(POSITIONS, np.array([0.4, 0.1]), header_message(0, 'odom')).agents
     assert (agents[1].position.x, agents[1].velocity.x, agents[1].radius) == (-0.5, 0.0, 0.1)
+    assert [agent.id for agent in agents] == [0, 1]
