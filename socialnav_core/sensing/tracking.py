@@ -99,7 +99,7 @@ class Tracker:
         if not len(self._id) or not len(detections):
             return np.zeros(0, int), np.zeros(0, int)
         surprise = detections - self._mean[:, None, :2]  # (tracks, detections, 2)
-        precision = np.linalg.inv(self._expected_spread(self._covariance))
+        precision = inverse(self._expected_spread(self._covariance))
         cost = np.einsum('tdi,tij,tdj->td', surprise, precision, surprise)
         cost = np.where(cost <= self.settings.gate**2, cost, FORBIDDEN)
         tracks, matched = linear_sum_assignment(cost)
@@ -109,7 +109,7 @@ class Tracker:
     def _correct(self, tracks: np.ndarray, detections: np.ndarray) -> None:
         """Let tracks take their detections into account."""
         covariance = self._covariance[tracks]
-        gain = covariance[:, :, :2] @ np.linalg.inv(self._expected_spread(covariance))
+        gain = covariance[:, :, :2] @ inverse(self._expected_spread(covariance))
         surprise = detections - self._mean[tracks, :2]
         self._mean[tracks] += np.einsum('tij,tj->ti', gain, surprise)
         self._covariance[tracks] = covariance - gain @ covariance[:, :2]
@@ -131,3 +131,16 @@ class Tracker:
     def _expected_spread(self, covariance: np.ndarray) -> np.ndarray:
         """Return the covariance of what will be measured, (tracks, 2, 2)."""
         return covariance[:, :2, :2] + self.settings.detection_noise**2 * np.eye(2)
+
+
+def inverse(matrices: np.ndarray) -> np.ndarray:
+    """
+    Return the inverses of matrices of two rows.
+
+    The library's inverse waits for other threads, on a busy computer for tens of milliseconds.
+
+    :param matrices: symmetric and positive, (matrices, 2, 2).
+    """
+    (a, b), (c, d) = matrices[:, 0].T, matrices[:, 1].T
+    adjugate = np.stack([d, -b, -c, a], axis=-1).reshape(-1, 2, 2)
+    return adjugate / (a * d - b * c)[:, None, None]

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from socialnav_core.sensing import Tracker, TrackerSettings
+from socialnav_core.sensing.tracking import inverse
 
 STEP = 0.05
 SETTINGS = TrackerSettings(hits=1)
@@ -114,3 +115,11 @@ def test_the_filter_does_not_depend_on_how_time_is_cut(rate):
     single = once.update(19 * STEP + 0.2 * rate, nobody)
     double = cut.update(19 * STEP + 0.2 * rate, nobody)
     np.testing.assert_allclose(single.position, double.position)
+
+
+def test_a_matrix_times_its_inverse_is_one():
+    root = np.random.default_rng(0).normal(size=(5, 2, 2))
+    matrices = root @ root.transpose(0, 2, 1) + 0.1 * np.eye(2)
+    np.testing.assert_allclose(
+        matrices @ inverse(matrices), np.tile(np.eye(2), (5, 1, 1)), atol=1e-9
+    )

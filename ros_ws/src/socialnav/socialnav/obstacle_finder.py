@@ -6,7 +6,7 @@ from nav_msgs.msg import OccupancyGrid, Odometry
 import numpy as np
 from sensor_msgs.msg import LaserScan
 
-from socialnav.conversions import agent_arrays, check_frame
+from socialnav.conversions import agent_arrays, check_frame, ConversionError
 from socialnav.locating import Locator
 from socialnav.sensor_messages import discs_message, grid_points, scan_points
 from socialnav.stamps import header_message, nanoseconds_of
@@ -33,7 +33,7 @@ class ObstacleFinder:
         self.locator = Locator(values['planning_frame'], 'base_link', values['pose_timeout'])
         self._people: AgentStates | None = None
         self._grid: OccupancyGrid | None = None
-        self._answered = 0
+        self._answered = -1
 
     def store_odometry(self, message: Odometry) -> None:
         """
@@ -80,16 +80,23 @@ class ObstacleFinder:
         return self._obstacles(to_world(scan_points(message), laser), robot, stamp, 0.0)
 
     def of_grid(self) -> AgentStates | None:
-        """Return what stands around the robot at the time of the newest odom, where it is new."""
+        """
+        Return what stands around the robot at the time of the newest odom, None if it is not new.
+
+        :raises ConversionError: no grid, an old one, or no pose of the robot.
+        """
         stamp, grid, timeout = self.locator.latest, self._grid, self.values['grid_timeout']
-        if grid is None or stamp == self._answered:
+        if stamp == self._answered:
             return None
+        if grid is None:
+            raise ConversionError('no map')
         if 0 < timeout < (stamp - nanoseconds_of(grid.header.stamp)) * 1e-9:
-            return None
+            raise ConversionError(f'map older than {timeout:g} s')
+        robot = self.locator.base(stamp)
         self._answered = stamp
         points = grid_points(grid, self.values['grid_threshold'])
         depth = HALF_DIAGONAL * grid.info.resolution
-        return self._obstacles(points, self.locator.base(stamp), stamp, depth)
+        return self._obstacles(points, robot, stamp, depth)
 
     def _obstacles(self, points: np.ndarray, robot: Pose, stamp: int, depth: float) -> AgentStates:
         """Return the discs behind points of surfaces."""

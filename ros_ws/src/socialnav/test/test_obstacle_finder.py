@@ -131,7 +131,6 @@ def test_a_grid_shows_obstacles_no_nearer_than_a_cell_and_no_farther_than_they_a
 
 def test_a_grid_is_answered_once_for_each_odometry():
     robot = finder(source='grid')
-    assert robot.of_grid() is None
     robot.store_grid(map_message(state_at(), 0, 'odom'))
     assert nanoseconds_of(robot.of_grid().header.stamp) == SECOND
     assert robot.of_grid() is None
@@ -139,11 +138,23 @@ def test_a_grid_is_answered_once_for_each_odometry():
     assert nanoseconds_of(robot.of_grid().header.stamp) == 2 * SECOND
 
 
-@pytest.mark.parametrize(('timeout', 'answers'), [(0.0, True), (0.5, False), (1.5, True)])
-def test_a_grid_ages_only_where_a_time_out_is_set(timeout, answers):
+@pytest.mark.parametrize('timeout', [0.0, 1.5])
+def test_a_grid_that_is_not_older_than_its_time_out_is_answered(timeout):
     robot = finder(source='grid', grid_timeout=timeout)
     robot.store_grid(map_message(state_at(), 0, 'odom'))
-    assert (robot.of_grid() is not None) == answers
+    assert robot.of_grid() is not None
+
+
+def test_without_a_grid_or_odom_or_with_an_old_grid_the_reason_is_told():
+    robot = ObstacleFinder(DEFAULTS | {'source': 'grid', 'grid_timeout': 0.5})
+    with pytest.raises(ConversionError, match='no map'):
+        robot.of_grid()
+    robot.store_grid(map_message(state_at(), 0, 'odom'))
+    with pytest.raises(ConversionError, match='no odom'):
+        robot.of_grid()
+    robot.store_odometry(odometry())
+    with pytest.raises(ConversionError, match='map older than 0.5 s'):
+        robot.of_grid()
 
 
 def test_a_grid_in_another_frame_is_refused():
