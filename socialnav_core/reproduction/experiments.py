@@ -167,10 +167,14 @@ RECIPES = Experiment(
     'batches, beside the recipe of docs/training.md, for three systems of the report.',
     (*entries(1, 'sarl_report_recipe'), *entries(3, 'sarl'),
      *entries(1, 'gat4sn_report_recipe'), *entries(3, 'gat4sn'),
-     *entries(1, 'sarl_no_curriculum_report_recipe'), *entries(3, 'sarl_no_curriculum')),
+     *entries(1, 'sarl_no_curriculum_report_recipe'), *entries(3, 'sarl_no_curriculum'),
+     *entries(1, 'sarl_no_curriculum_report_recipe_stale', 'sarl_no_curriculum_stale')),
     LINES,
-    tuple((f'{name}_report_recipe', name) for name in ('sarl', 'gat4sn', 'sarl_no_curriculum')),
-    CONSTANT_VELOCITY,
+    (*((f'{name}_report_recipe', name) for name in ('sarl', 'gat4sn', 'sarl_no_curriculum')),
+     ('sarl_no_curriculum_stale', 'sarl_no_curriculum'),
+     ('sarl_no_curriculum_report_recipe_stale', 'sarl_no_curriculum_report_recipe')),
+    f"{CONSTANT_VELOCITY} The report's demonstrator on purpose: its planner kept the radii of the "
+    'first episode.',
     "One training seed of the report's recipe, as in the report; it has 10,000 episodes (25,000 "
     f'among large obstacles), half of them or fewer are run here. {COLLISION_TEST}',
 )  # fmt: skip

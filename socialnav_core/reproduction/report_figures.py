@@ -50,6 +50,8 @@ SAME_SYSTEM = {
     'sarl_report_recipe': 'sarl',
     'gat4sn_report_recipe': 'gat4sn',
     'sarl_no_curriculum_report_recipe': 'sarl_no_curriculum',
+    'sarl_no_curriculum_stale': 'sarl_no_curriculum',
+    'sarl_no_curriculum_report_recipe_stale': 'sarl_no_curriculum',
 }
 """Rows that are other forms of what the report measured."""
 

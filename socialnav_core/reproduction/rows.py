@@ -172,6 +172,21 @@ def by_reported_recipe(row: Row) -> Row:
     )
 
 
+def with_stale_radii(row: Row) -> Row:
+    """
+    Return a row whose demonstrator has the defect of the report's code.
+
+    :param row: with obstacles of many radii.
+    """
+    return dataclasses.replace(
+        row,
+        name=f'{row.name}_stale',
+        label=f'{row.label}, stale radii',
+        settings=row.settings | {'training.imitation.stale_radii': True},
+        shipped=False,
+    )
+
+
 def all_rows() -> dict[str, Row]:
     """Return every row by its name."""
     networks, curriculum = rows_of_networks(), rows_of_curriculum()
@@ -180,6 +195,7 @@ def all_rows() -> dict[str, Row]:
     recipes = [rows[name] for name in REPORTED_RECIPE]
     more = [in_simple10(row) for row in compared] + [unfolded(row) for row in compared]
     more += [by_reported_recipe(row) for row in recipes]
+    more += [with_stale_radii(row) for row in (recipes[-1], more[-1])]
     return rows | {row.name: row for row in more}
 
 
