@@ -18,6 +18,8 @@ class ImitationConfig:
     """Number of demonstrations."""
     safety_space: float = 0.15
     """Added to every radius by the demonstrator, m."""
+    stale_radii: bool = False
+    """Whether the demonstrator believes the first case's radii in all, a defect of the report."""
     epochs: int = 3
     """Passes over the demonstrations."""
     batch_size: int = 256

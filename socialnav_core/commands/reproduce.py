@@ -49,6 +49,10 @@ def add_parser(commands: Any) -> None:
         '--no-train', action='store_true', help='measure and write only; all must be trained'
     )
     parser.add_argument(
+        '--recorded', action='store_true',
+        help='take runs that are not here from docs/results/records in place of training them',
+    )  # fmt: skip
+    parser.add_argument(
         '--ship', action='store_true', help='put the best seed of each row into models/'
     )
     parser.add_argument(
@@ -65,17 +69,18 @@ def run(given: argparse.Namespace) -> None:
     """
     from socialnav_core.reproduction import EXPERIMENTS, Laboratory, ship, write_results
 
-    if given.quick and given.ship:
-        raise ConfigError('--quick learns nothing that could be shipped')
+    if given.quick and (given.ship or given.recorded):
+        raise ConfigError('--quick learns nothing that could be shipped or was recorded')
     folder = given.out / 'quick' if given.quick else given.out
     results = folder / 'results' if given.quick else ROOT / 'docs' / 'results'
-    laboratory = Laboratory(folder, given.jobs, given.device, given.quick, say)
+    records = ROOT / 'docs' / 'results' / 'records' if given.recorded else None
+    laboratory = Laboratory(folder, given.jobs, given.device, given.quick, say, records)
     seeds = given.seeds or (1 if given.quick else None)
     names = NAMES if ALL in given.names else tuple(dict.fromkeys(given.names))
     experiments = [EXPERIMENTS[name].with_seeds(seeds) for name in names]
-    requests = [request for each in experiments for request in each.requests(laboratory)]
     try:
-        laboratory.provide(requests, train=not given.no_train)
+        for source, some in groups(experiments, laboratory):
+            source.provide((r for each in some for r in each.requests(source)), not given.no_train)
     except KeyboardInterrupt:
         say('what was begun is saved; the same command goes on with it')
         raise
@@ -83,8 +88,22 @@ def run(given: argparse.Namespace) -> None:
         command = command_of(experiment.name, given)
         print(write_results(experiment, laboratory, results, command))
     if given.ship:
-        for line in ship(longest(experiments), laboratory, ROOT / 'models'):
+        for line in ship(longest(experiments), laboratory, ROOT / 'models', results / 'records'):
             print(line)
+
+
+def groups(experiments: list[Any], laboratory: Any) -> list[tuple[Any, list[Any]]]:
+    """
+    Return laboratories and the experiments that each provides for: figures need the very runs.
+
+    :param experiments: some.
+    :param laboratory: that may take records for runs.
+    """
+    from socialnav_core.reproduction.experiments import FIGURES
+
+    tables = [each for each in experiments if each.layout not in FIGURES]
+    figures = [each for each in experiments if each.layout in FIGURES]
+    return [(dataclasses.replace(laboratory, records=None), figures), (laboratory, tables)]
 
 
 def longest(experiments: list[Any]) -> list[Any]:

@@ -128,8 +128,7 @@ def shown(found: Sequence[Found]) -> str:
             f'`{each.cases.scenario}`, split `{each.cases.split}`, seed 0, case '
             f'{each.recording.case_index}',
             summary(each.recording),
-            f'`socialnav render out/reproduce/runs/{each.row.name}/seed-{each.seed} '
-            f'{render_options(each)}`',
+            f'`socialnav render {checkpoint_of(each)} {render_options(each)}`',
         ]
         for each in found
     ]
@@ -138,6 +137,16 @@ def shown(found: Sequence[Found]) -> str:
         'Violet lines, where there are any, show the attention to each agent at one moment.\n\n'
         f'{markdown_table(head, lines)}'
     )
+
+
+def checkpoint_of(found: Found) -> Path:
+    """
+    Return the folder of the weights that drove, where runs are kept if nothing else is said.
+
+    :param found: the case.
+    """
+    runs = Path('out', 'reproduce', 'runs')
+    return found.cases.checkpoint(runs / found.row.run_name / f'seed-{found.seed}')
 
 
 def render_options(found: Found) -> str:
@@ -183,10 +192,11 @@ def found_values(found: Found, laboratory: Laboratory) -> dict[str, Any]:
     :param found: the case.
     :param laboratory: that trained the run.
     """
+    run = laboratory.run(found.row, found.seed)
     return {
         'row': found.row.name,
         'training_seed': found.seed,
-        'weights': checkpoint_digest(laboratory.run(found.row, found.seed)),
+        'weights': checkpoint_digest(found.cases.checkpoint(run)),
         'scenario': found.cases.scenario,
         'lookahead': found.cases.lookahead,
         'split': found.cases.split,

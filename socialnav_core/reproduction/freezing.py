@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator
 import dataclasses
-from pathlib import Path
 
 import numpy as np
 
@@ -81,7 +80,7 @@ def play(row: Row, seed: int, cases: Cases, case: int, laboratory: Laboratory) -
     :param case: its index.
     :param laboratory: that trained it.
     """
-    folder: Path = laboratory.run(row, seed)
+    folder = cases.checkpoint(laboratory.run(row, seed))
     policy = load_policy(str(folder), cases.lookahead, screening=False)
     scenario = make_scenario(cases.scenario)
     name = f'{row.label} (training seed {seed})'

@@ -10,6 +10,7 @@ import numpy as np
 from socialnav_core.evaluation.metrics import COLLISIONS
 from socialnav_core.policies.checkpoint import atomic_write, checkpoint_digest
 from socialnav_core.simulation import Outcome
+from socialnav_core.training.folder import UNFOLDED
 
 FOLDER = 'evaluations'
 LOOKAHEADS = ('oracle', 'constant_velocity')
@@ -23,14 +24,15 @@ class Cases:
     lookahead: str
     split: str = 'test'
     episodes: int = 500
+    unfolded: bool = False
+    """Whether the weights are those of training, constant features not folded into the biases."""
 
     @property
     def name(self) -> str:
         """Return the name of the file of a measurement, without its ending."""
-        what = '' if (self.split, self.episodes) == ('test', 500) else (
-            f'-{self.split}-{self.episodes}'
-        )  # fmt: skip
-        return f'{self.scenario}-{self.lookahead}{what}'
+        standard = (self.split, self.episodes) == ('test', 500)
+        which = '' if standard else f'-{self.split}-{self.episodes}'
+        return f'{self.scenario}-{self.lookahead}{which}{"-unfolded" if self.unfolded else ""}'
 
     def path(self, run: Path) -> Path:
         """
@@ -39,6 +41,14 @@ class Cases:
         :param run: folder of the run.
         """
         return run / FOLDER / f'{self.name}.json'
+
+    def checkpoint(self, run: Path) -> Path:
+        """
+        Return the folder of the weights that are measured.
+
+        :param run: folder of the run.
+        """
+        return run / UNFOLDED if self.unfolded else run
 
 
 @dataclasses.dataclass(frozen=True)
@@ -83,8 +93,9 @@ def evaluate_arguments(run: Path, cases: Cases) -> list[str]:
     :param cases: which ones.
     """
     return [
-        'evaluate', str(run), '--scenario', cases.scenario, '--episodes', str(cases.episodes),
-        '--seed', '0', '--split', cases.split, '--lookahead', cases.lookahead, '--no-screening',
+        'evaluate', str(cases.checkpoint(run)), '--scenario', cases.scenario,
+        '--episodes', str(cases.episodes), '--seed', '0', '--split', cases.split,
+        '--lookahead', cases.lookahead, '--no-screening',
         '--json', str(raw_path(run, cases)), '--overwrite',
     ]  # fmt: skip
 
@@ -110,10 +121,10 @@ def keep(run: Path, cases: Cases) -> None:
     summary = json.loads(raw.read_text(encoding='utf-8'))
     episodes = summary.pop('cases')
     values = {
-        'weights': checkpoint_digest(run),
+        'weights': checkpoint_digest(cases.checkpoint(run)),
         'summary': summary,
-        'outcome': [episode['outcome'] for episode in episodes],
-        'time': [episode['time'] for episode in episodes],
+        'outcome': ''.join(str(Outcome[each['outcome'].upper()].value) for each in episodes),
+        'time': [each['time'] for each in episodes],
     }
     atomic_write(cases.path(run), json.dumps(values).encode())
     raw.unlink()
@@ -126,13 +137,30 @@ def load(run: Path, cases: Cases) -> Measurement | None:
     :param run: folder of the run.
     :param cases: which ones.
     """
+    values = values_of(run, cases)
+    return None if values is None else from_values(cases, values)
+
+
+def values_of(run: Path, cases: Cases) -> dict[str, Any] | None:
+    """
+    Return the contents of a measurement's file, None where there is none of the present weights.
+
+    :param run: folder of the run.
+    :param cases: which ones.
+    """
     path = cases.path(run)
     if not path.is_file():
         return None
-    values = json.loads(path.read_text(encoding='utf-8'))
-    if values['weights'] != checkpoint_digest(run):
-        return None
-    codes = [Outcome[name.upper()] for name in values['outcome']]
-    return Measurement(
-        cases, np.array(codes, np.int8), np.array(values['time']), values['summary']
-    )
+    values: dict[str, Any] = json.loads(path.read_text(encoding='utf-8'))
+    return values if values['weights'] == checkpoint_digest(cases.checkpoint(run)) else None
+
+
+def from_values(cases: Cases, values: dict[str, Any]) -> Measurement:
+    """
+    Return a measurement from the contents of its file.
+
+    :param cases: which ones.
+    :param values: the contents.
+    """
+    codes = np.array([int(code) for code in values['outcome']], np.int8)
+    return Measurement(cases, codes, np.array(values['time']), values['summary'])

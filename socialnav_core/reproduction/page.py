@@ -196,37 +196,40 @@ def training(experiment: Experiment, laboratory: Laboratory) -> str:
         'Configuration',
         'Seeds',
         'Minutes each',
+        'Minutes of processor each',
         'Episodes each',
         'Trained on',
     ]
     lines = []
     for entry in experiment.entries:
         row = entry.row
-        folders = [laboratory.run(row, seed) for seed in range(entry.seeds)]
-        last = [runs.last_progress(folder) for folder in folders]
+        trained = [laboratory.training(row, seed) for seed in range(entry.seeds)]
+        last = [each.progress for each in trained]
         settings = runs.assignment_texts(row.settings)
         lines.append(
-            [row.label, f'`{row.name}`', f'`{" ".join([row.config, *settings])}`',
+            [row.label, f'`{row.run_name}`', f'`{" ".join([row.config, *settings])}`',
              str(entry.seeds), span([each['seconds'] / 60 for each in last], 1),
-             span([each['episodes'] for each in last], 0), machines(folders)]
+             span([each['processor_seconds'] / 60 for each in last], 1),
+             span([each['episodes'] for each in last], 0), machines(trained)]
         )  # fmt: skip
     return (
         '## Training\n\nEach run is a process with one thread; minutes are of the wall clock, '
-        'imitation included; episodes are those of value learning.\n\n'
+        'imitation included, on a machine that may have had other work; episodes are those of '
+        'value learning.\n\n'
         f'{markdown_table(head, lines)}'
     )
 
 
-def machines(folders: Sequence[Path]) -> str:
+def machines(trained: Sequence[runs.Training]) -> str:
     """
     Return where runs were trained.
 
-    :param folders: of the runs.
+    :param trained: how they went.
     """
     found = {
         f'{values["device"]} ({values["name"]}, {values["jobs"]} runs side by side, torch '
         f'{values["torch"]})'
-        for values in map(runs.machine_of, folders)
+        for values in (each.machine for each in trained)
         if values
     }
     return '; '.join(sorted(found)) or NOTHING

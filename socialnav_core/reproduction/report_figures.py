@@ -44,9 +44,14 @@ PARAMETERS = {'gat4sn_1': 66051, 'gat4sn_2': 72401, 'gat4sn_3': 78751, 'gat4sn':
 SAME_SYSTEM = {
     'gat4sn_linear': 'gat4sn',
     'gat4sn_linear_simple10': 'gat4sn_simple10',
+    'sarl_unfolded': 'sarl',
+    'gat4sn_unfolded': 'gat4sn',
+    'gat4sn_linear_unfolded': 'gat4sn',
     'sarl_report_recipe': 'sarl',
     'gat4sn_report_recipe': 'gat4sn',
     'sarl_no_curriculum_report_recipe': 'sarl_no_curriculum',
+    'sarl_no_curriculum_stale': 'sarl_no_curriculum',
+    'sarl_no_curriculum_report_recipe_stale': 'sarl_no_curriculum',
 }
 """Rows that are other forms of what the report measured."""
 

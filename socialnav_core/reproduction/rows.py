@@ -28,7 +28,7 @@ class Row:
     """A system: how it is trained and where it is tested."""
 
     name: str
-    """Name of its folder of runs, and in models/ when it is shipped."""
+    """Its name, in models/ too when it is shipped."""
     label: str
     """What it is called in tables."""
     config: str
@@ -39,6 +39,15 @@ class Row:
     """Scenarios in which it is tested; the last one decides which seed is shipped."""
     shipped: bool = False
     """Whether its best seed belongs into models/."""
+    run: str = ''
+    """Row whose runs these are, where they are not its own."""
+    unfolded: bool = False
+    """Whether the weights are those of training, constant features not folded."""
+
+    @property
+    def run_name(self) -> str:
+        """Return the name of the folder of runs."""
+        return self.run or self.name
 
     def assignments(self, quick: bool) -> dict[str, Any]:
         """
@@ -46,7 +55,7 @@ class Row:
 
         :param quick: whether to train for seconds only.
         """
-        settings = {'name': self.name} | self.settings
+        settings = {'name': self.run_name} | self.settings
         if not quick:
             return settings
         in_episodes = read_config(self.config, settings).training.episodes
@@ -130,6 +139,23 @@ def rows_of_curriculum() -> list[Row]:
     ]  # fmt: skip
 
 
+def unfolded(row: Row) -> Row:
+    """
+    Return a row with the weights of training: it differs where a constant feature does not.
+
+    :param row: of rows_of_networks.
+    """
+    return dataclasses.replace(
+        row,
+        name=f'{row.name}_unfolded',
+        label=f'{row.label}, as trained',
+        tests=('hard',),
+        shipped=False,
+        run=row.name,
+        unfolded=True,
+    )
+
+
 def by_reported_recipe(row: Row) -> Row:
     """
     Return a row trained by the report's own recipe.
@@ -146,13 +172,30 @@ def by_reported_recipe(row: Row) -> Row:
     )
 
 
+def with_stale_radii(row: Row) -> Row:
+    """
+    Return a row whose demonstrator has the defect of the report's code.
+
+    :param row: with obstacles of many radii.
+    """
+    return dataclasses.replace(
+        row,
+        name=f'{row.name}_stale',
+        label=f'{row.label}, stale radii',
+        settings=row.settings | {'training.imitation.stale_radii': True},
+        shipped=False,
+    )
+
+
 def all_rows() -> dict[str, Row]:
     """Return every row by its name."""
     networks, curriculum = rows_of_networks(), rows_of_curriculum()
     rows = {row.name: row for row in networks + curriculum}
     compared = [rows[name] for name in ('sarl', 'gat4sn', 'gat4sn_linear', 'gat4sn_v2')]
     recipes = [rows[name] for name in REPORTED_RECIPE]
-    more = [in_simple10(row) for row in compared] + [by_reported_recipe(row) for row in recipes]
+    more = [in_simple10(row) for row in compared] + [unfolded(row) for row in compared]
+    more += [by_reported_recipe(row) for row in recipes]
+    more += [with_stale_radii(row) for row in (recipes[-1], more[-1])]
     return rows | {row.name: row for row in more}
 
 

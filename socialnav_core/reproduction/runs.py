@@ -1,6 +1,7 @@
 """A training run of one row and seed: its folder, its command and whether it is finished."""
 
 import csv
+import dataclasses
 import os
 from pathlib import Path
 import platform
@@ -10,8 +11,12 @@ from typing import Any
 import torch
 import yaml
 
-from socialnav_core.config import ConfigError
-from socialnav_core.policies.checkpoint import atomic_write, load_checkpoint, WEIGHTS
+from socialnav_core.config import Config, ConfigError
+from socialnav_core.policies.checkpoint import (
+    atomic_write,
+    checkpoint_digest,
+    WEIGHTS,
+)
 from socialnav_core.reproduction.rows import Row
 from socialnav_core.settings import flatten, to_mapping
 from socialnav_core.training.checkpoint import STATE_NAME
@@ -21,6 +26,27 @@ from socialnav_core.training.progress import CSV_NAME
 MACHINE = 'machine.yaml'
 MACHINE_SETTINGS = ('training.bfloat16', 'training.device')
 """Settings that depend on where a run was trained."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Training:
+    """How a run went."""
+
+    weights: str
+    """Digest of what it left."""
+    progress: dict[str, float]
+    """Last row of its progress."""
+    machine: dict[str, Any]
+    """Where it was trained, empty where that was not noted."""
+
+
+def training_of(folder: Path) -> Training:
+    """
+    Return how a finished run went.
+
+    :param folder: of the run.
+    """
+    return Training(checkpoint_digest(folder), last_progress(folder), machine_of(folder))
 
 
 def is_finished(folder: Path) -> bool:
@@ -65,21 +91,22 @@ def assignment_texts(assignments: dict[str, Any]) -> list[str]:
     ]
 
 
-def require_same_settings(row: Row, seed: int, folder: Path, quick: bool) -> None:
+def require_same_settings(row: Row, seed: int, found: Config, quick: bool, where: Path) -> None:
     """
-    Raise a ConfigError when a finished run has other settings than the row has now.
+    Raise a ConfigError when a run has other settings than its row has now.
 
     :param row: what should have been trained.
     :param seed: of the run.
-    :param folder: of the run.
+    :param found: settings that it was trained with.
     :param quick: whether it was trained for seconds only.
+    :param where: its folder or record.
     """
-    found = flatten(to_mapping(load_checkpoint(folder)[1]))
+    settings = flatten(to_mapping(found))
     for name, value in flatten(to_mapping(row.resolved(seed, quick))).items():
-        if name not in MACHINE_SETTINGS and found.get(name) != value:
+        if name not in MACHINE_SETTINGS and settings.get(name) != value:
             raise ConfigError(
-                f'{folder} was trained with {name} = {found.get(name)!r}, not {value!r}; move it '
-                'away and it is trained again'
+                f'{where} was trained with {name} = {settings.get(name)!r}, not {value!r}; move '
+                'it away and it is trained again'
             )
 
 

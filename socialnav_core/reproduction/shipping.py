@@ -7,7 +7,12 @@ import shutil
 
 import numpy as np
 
-from socialnav_core.policies.checkpoint import atomic_write, CONFIG, WEIGHTS
+from socialnav_core.policies.checkpoint import (
+    atomic_write,
+    checkpoint_digest,
+    CONFIG,
+    WEIGHTS,
+)
 from socialnav_core.reproduction.experiments import Entry
 from socialnav_core.reproduction.laboratory import Laboratory, Request
 from socialnav_core.reproduction.measurements import Cases, Measurement
@@ -20,23 +25,45 @@ CHOICE_EPISODES = 500
 LOOKAHEAD = 'constant_velocity'
 
 
-def ship(entries: Sequence[Entry], laboratory: Laboratory, models: Path) -> list[str]:
+def ship(
+    entries: Sequence[Entry], laboratory: Laboratory, models: Path, records: Path
+) -> list[str]:
     """
     Put the best seed of each shipped row into models/; return a line about each.
 
     :param entries: rows whose seeds are trained.
     :param laboratory: that trained them.
     :param models: folder of the models.
+    :param records: folder of records, which get the measurements behind the choice.
     """
     shipped = [entry for entry in entries if entry.row.shipped]
-    laboratory.provide(
+    choices = [
         Request(entry.row, seed, (choice_cases(entry),))
         for entry in shipped
         for seed in range(entry.seeds)
-    )
+    ]
+    laboratory.provide(choices)
+    for choice in choices:
+        laboratory.publish(choice, records)
     chosen = [(entry, best_seed(entry, laboratory)) for entry in shipped]
+    chosen = [each for each in chosen if not is_there(*each, laboratory, models)]
     laboratory.provide(Request(entry.row, seed, card_cases(entry)) for entry, seed in chosen)
     return [copy_run(entry, seed, laboratory, models) for entry, seed in chosen]
+
+
+def is_there(entry: Entry, seed: int, laboratory: Laboratory, models: Path) -> bool:
+    """
+    Return whether models/ has the weights of a run.
+
+    :param entry: of its row.
+    :param seed: of the run.
+    :param laboratory: that trained it.
+    :param models: folder of the models.
+    """
+    folder = models / entry.row.name
+    if not (folder / WEIGHTS).is_file():
+        return False
+    return checkpoint_digest(folder) == laboratory.training(entry.row, seed).weights
 
 
 def choice_cases(entry: Entry) -> Cases:

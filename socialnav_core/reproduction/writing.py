@@ -6,13 +6,15 @@ import json
 from pathlib import Path
 from typing import Any
 
-from socialnav_core.policies.checkpoint import atomic_write, checkpoint_digest
-from socialnav_core.reproduction import runs
-from socialnav_core.reproduction.experiments import ATTENTION, Experiment, FREEZING
+from socialnav_core.policies.checkpoint import atomic_write
+from socialnav_core.reproduction import experiments, records
+from socialnav_core.reproduction.experiments import Experiment
 from socialnav_core.reproduction.laboratory import Laboratory
 from socialnav_core.reproduction.page import table_page
 from socialnav_core.reproduction.paired import paired_differences, PairedDifference
 from socialnav_core.reproduction.report_figures import reported
+from socialnav_core.reproduction.rows import Row
+from socialnav_core.reproduction.runs import Training
 from socialnav_core.reproduction.summary import FIGURES, seed_interval, summarise, Summary
 
 
@@ -29,7 +31,7 @@ def write_results(
     """
     results.mkdir(parents=True, exist_ok=True)
     notes = results / 'notes' / f'{experiment.name}.md'
-    if experiment.layout in (FREEZING, ATTENTION):
+    if experiment.layout in experiments.FIGURES:
         from socialnav_core.reproduction.figures import draw_figure
 
         text, values = draw_figure(experiment, laboratory, results, command, notes)
@@ -38,6 +40,8 @@ def write_results(
         differences = paired_differences(summaries, experiment.pairs)
         text = table_page(experiment, summaries, differences, laboratory, command, notes)
         values = table_values(experiment, summaries, differences, laboratory, command)
+        for request in experiment.requests(laboratory):
+            laboratory.publish(request, results / records.FOLDER)
     data = json.dumps(values, indent=1, allow_nan=False)
     atomic_write(results / f'{experiment.name}.json', f'{data}\n'.encode())
     page = results / f'{experiment.name}.md'
@@ -68,7 +72,7 @@ def table_values(
         'screening': False,
         'smoke_run': laboratory.quick,
         'training': [
-            training_values(entry.row.name, seed, laboratory.run(entry.row, seed))
+            training_values(entry.row, seed, laboratory.training(entry.row, seed))
             for entry in experiment.entries
             for seed in range(entry.seeds)
         ],
@@ -100,22 +104,24 @@ def summary_values(summary: Summary) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def training_values(row: str, seed: int, folder: Path) -> dict[str, Any]:
+def training_values(row: Row, seed: int, training: Training) -> dict[str, Any]:
     """
     Return how a run was trained.
 
-    :param row: its name.
+    :param row: what was trained.
     :param seed: of the run.
-    :param folder: of the run.
+    :param training: how it went.
     """
-    last = runs.last_progress(folder)
+    last = training.progress
     return {
-        'row': row,
+        'row': row.name,
+        'run': row.run_name,
         'seed': seed,
-        'weights': checkpoint_digest(folder),
+        'weights': training.weights,
         'seconds': last['seconds'],
+        'processor_seconds': last['processor_seconds'],
         'episodes': int(last['episodes']),
         'decisions': int(last['decisions']),
         'obstacle_radius': last['obstacle_radius'],
-        'machine': runs.machine_of(folder),
+        'machine': training.machine,
     }

@@ -12,10 +12,11 @@ import numpy as np
 
 from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config import Config, Scenario
-from socialnav_core.policies import OrcaPolicy, Policy
+from socialnav_core.policies import Policy
 from socialnav_core.policies.checkpoint import save_weights
 from socialnav_core.policies.lookahead import ValuePolicy
 from socialnav_core.training.checkpoint import load_state, save_state
+from socialnav_core.training.demonstrators import make_demonstrator
 from socialnav_core.training.folder import finish_folder, prepare_folder, UNFOLDED
 from socialnav_core.training.imitation import collect_demonstrations, imitate
 from socialnav_core.training.interruption import Interruption, TrainingInterrupted
@@ -97,9 +98,8 @@ def begin(run: Run, progress: bool) -> None:
     config, settings = run.config, run.config.training
     imitation = settings.imitation
     if imitation.episodes:
-        demonstrator = OrcaPolicy(safety_space=imitation.safety_space)
         demonstrations = collect_demonstrations(
-            run.simulator, demonstrator, imitation.episodes, config.seed
+            run.simulator, make_demonstrator(imitation), imitation.episodes, config.seed
         )
         count = len(demonstrations.returns)
         announce(f'imitation: {imitation.episodes} episodes of ORCA, {count} states', progress)

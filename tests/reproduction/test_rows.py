@@ -13,9 +13,9 @@ from socialnav_core.training.imitation import collect_demonstrations
 
 
 @pytest.mark.parametrize('name', ROWS)
-def test_every_row_resolves_to_a_configuration_of_its_name(name):
+def test_every_row_resolves_to_a_configuration_named_like_its_run(name):
     config = ROWS[name].resolved(3, quick=False)
-    assert (config.name, config.seed) == (name, 3)
+    assert (config.name, config.seed) == (ROWS[name].run_name, 3)
     for test in ROWS[name].tests:
         make_scenario(test)
 

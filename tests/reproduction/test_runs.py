@@ -3,6 +3,7 @@
 import pytest
 
 from socialnav_core.config import ConfigError
+from socialnav_core.policies.checkpoint import load_checkpoint
 from socialnav_core.reproduction import runs
 from socialnav_core.reproduction.laboratory import merged, Request
 from socialnav_core.reproduction.measurements import Cases
@@ -31,9 +32,9 @@ def test_what_is_left_of_a_run_that_saved_nothing_is_removed(laboratory):
 
 def test_a_run_with_other_settings_is_refused_by_naming_one(finished_run, laboratory):
     folder = finished_run(SARL, 0)
-    runs.require_same_settings(SARL, 0, folder, quick=False)
+    runs.require_same_settings(SARL, 0, load_checkpoint(folder)[1], False, folder)
     with pytest.raises(ConfigError, match='seed = 0, not 1'):
-        runs.require_same_settings(SARL, 1, folder, quick=False)
+        runs.require_same_settings(SARL, 1, load_checkpoint(folder)[1], False, folder)
     with pytest.raises(ConfigError, match='time_limit = 25.0, not 16.0; move it away'):
         laboratory = type(laboratory)(laboratory.folder, quick=True)
         laboratory.provide([Request(SARL, 0, ())])

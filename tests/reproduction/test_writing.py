@@ -1,6 +1,7 @@
 """Pages hold the report's figures and ours, and keep the prose that people wrote."""
 
 import json
+import shutil
 
 import pytest
 
@@ -74,9 +75,16 @@ def test_the_seed_is_chosen_on_validation_and_the_card_tells_of_the_test(
         for cases in card_cases(entry):
             measured(folder, cases, ['goal'] * (seed + 1) + ['timeout'])
     assert best_seed(entry, laboratory) == 2
-    (line,) = ship([entry], laboratory, tmp_path / 'models')
+    (line,) = ship([entry], laboratory, tmp_path / 'models', tmp_path / 'records')
     folder = tmp_path / 'models' / 'gat4sn_simple10'
     assert 'seed 2 of 3; success crowd20 0.7500' in line
     assert json.loads((folder / 'metrics.json').read_text())['crowd20']['success_rate'] == 0.75
     assert '0.7500' in (folder / CARD_NAME).read_text()
     assert choice_cases(entry).split == 'validation'
+
+
+def test_a_model_that_is_there_is_left_alone(laboratory, finished_run, measured, tmp_path):
+    (entry, _) = EXPERIMENTS['table3'].with_seeds(1).entries
+    measured(finished_run(entry.row, 0), choice_cases(entry), ['goal'])
+    shutil.copytree(laboratory.run(entry.row, 0), tmp_path / 'models' / entry.row.name)
+    assert not ship([entry], laboratory, tmp_path / 'models', tmp_path / 'records')

@@ -1,0 +1,53 @@
+"""Who shows the robot its way: ORCA, and ORCA with a defect of the founding report's code."""
+
+import dataclasses
+
+import numpy as np
+
+from socialnav_core.policies import OrcaPolicy, Policy
+from socialnav_core.states import CrowdState
+from socialnav_core.training_config import ImitationConfig
+
+
+class StaleRadii:
+    """
+    ORCA that believes the radii of the first case in all cases that follow.
+
+    The report's code handed radii to its planner once and later only positions and velocities.
+    """
+
+    kinematics = 'holonomic'
+
+    def __init__(self, planner: OrcaPolicy) -> None:
+        """
+        Remember nothing yet.
+
+        :param planner: that is deceived.
+        """
+        self._planner = planner
+        self._radius: np.ndarray | None = None
+
+    def act(self, state: CrowdState) -> np.ndarray:
+        """
+        Return the commands, (batch, 2).
+
+        :param state: the worlds as they are; the first time, world 0 has the case that is kept.
+        """
+        if self._radius is None:
+            self._radius = state.radius[0].copy()
+        believed = np.broadcast_to(self._radius, state.radius.shape)
+        return self._planner.act(dataclasses.replace(state, radius=believed))
+
+    def reset(self) -> None:
+        """Forget the radii."""
+        self._radius = None
+
+
+def make_demonstrator(settings: ImitationConfig) -> Policy:
+    """
+    Return who is imitated.
+
+    :param settings: of imitation.
+    """
+    planner = OrcaPolicy(safety_space=settings.safety_space)
+    return StaleRadii(planner) if settings.stale_radii else planner
