@@ -42,7 +42,7 @@ class Graph:
     def run(self, command: list[str]) -> subprocess.Popen:
         """Start a program; it is killed at the end of the test at the latest."""
         process = subprocess.Popen(
-            ['timeout', '-k', '5', f'{LIFETIME:g}', *command],
+            ['timeout', '-k', f'{DEADLINE:g}', f'{LIFETIME:g}', *command],
             stderr=subprocess.PIPE, text=True, env=dict(os.environ), start_new_session=True,
         )  # fmt: skip
         self.processes.append(process)
