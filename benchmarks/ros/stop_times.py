@@ -7,8 +7,8 @@ A time counts from the stamp of the last message of the input to the arrival of 
 command. Fails when one is beyond input_timeout, a period and what a busy machine may add. Where
 the measuring process itself stood still for longer than that, the stop is repeated and counted so.
 
-A process that is killed may hold up the shared memory of Fast DDS, and with it everybody who uses
-that, for a second: some of those times may be beyond the limit, and they are counted.
+A process that is killed while it publishes holds up the shared memory of Fast DDS, and with it
+everybody who uses that, for a second: some such times may be beyond the limit; they are counted.
 """
 
 import argparse
