@@ -1,6 +1,7 @@
 """What every policy is, and how one is found by its name."""
 
 import dataclasses
+import os
 from pathlib import Path
 from typing import Protocol
 
@@ -75,7 +76,7 @@ def find_model(model: str | Path) -> Path:
     :raises CheckpointError: when there is none; names those that there are.
     """
     for folder in (Path(model), MODELS / model):
-        if (folder / WEIGHTS).is_file():
+        if os.path.isfile(folder / WEIGHTS):  # no error for what cannot be a path
             return folder
     known = sorted(path.parent.name for path in MODELS.glob(f'*/{WEIGHTS}'))
     choices = ', '.join(['orca', 'straight_line', *known])

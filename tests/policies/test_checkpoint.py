@@ -97,9 +97,10 @@ def test_values_that_are_not_finite_are_refused(saved):
         load_checkpoint(folder)
 
 
-def test_an_unknown_model_names_those_that_there_are():
+@pytest.mark.parametrize('name', ['nonsense', '', 'a\0b', 'x' * 300])
+def test_an_unknown_model_names_those_that_there_are(name):
     with pytest.raises(CheckpointError, match='orca, straight_line'):
-        load_policy('nonsense')
+        load_policy(name)
 
 
 def test_a_write_that_fails_leaves_the_old_file(tmp_path, monkeypatch):

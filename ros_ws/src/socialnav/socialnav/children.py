@@ -1,7 +1,9 @@
 """Nodes as processes of their own, that never outlive whoever started them."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+import ctypes
+import os
 from pathlib import Path
 import signal
 import subprocess
@@ -11,6 +13,8 @@ from ament_index_python.packages import get_package_prefix
 
 PATIENCE = 5.0
 """Time that a process gets to end after each signal, s."""
+PR_SET_PDEATHSIG = 1
+"""Of prctl(2)."""
 
 Nodes = dict[str, subprocess.Popen]
 
@@ -32,10 +36,31 @@ def running_nodes(
     try:
         for name, values in parameters.items():
             command = command_line(name, values, (topics or {}).get(name, {}))
-            nodes[name] = subprocess.Popen(command, env=dict(environment), start_new_session=True)
+            nodes[name] = subprocess.Popen(
+                command,
+                env=dict(environment),
+                start_new_session=True,
+                preexec_fn=ending_with_parent(),
+            )
         yield nodes
     finally:
         stop(list(nodes.values()))
+
+
+def ending_with_parent() -> Callable[[], None]:
+    """
+    Return what a child does first: ask the kernel for SIGTERM when its parent dies.
+
+    A parent that is killed with -9 has no other way to end its children.
+    """
+    system, parent = ctypes.CDLL(None), os.getpid()  # looked up before the fork
+
+    def ask() -> None:
+        system.prctl(PR_SET_PDEATHSIG, ctypes.c_ulong(signal.SIGTERM))
+        if os.getppid() != parent:  # it died before it was asked
+            os._exit(1)
+
+    return ask
 
 
 def command_line(

@@ -10,7 +10,12 @@ ACTIVE = 'active'
 
 
 def diagnostics_message(
-    nanoseconds: int, name: str, state: str, reason: str | None, facts: dict[str, str]
+    nanoseconds: int,
+    name: str,
+    state: str,
+    reason: str | None,
+    facts: dict[str, str],
+    rivals: list[str],
 ) -> DiagnosticArray:
     """
     Return the health of a node.
@@ -20,14 +25,19 @@ def diagnostics_message(
     :param state: of its life cycle.
     :param reason: why the robot stands, or why the node is not configured; None for no reason.
     :param facts: whatever else is worth knowing.
+    :param rivals: other nodes that may command the robot; no fault while this one does not.
     """
+    message = reason or ('driving' if state == ACTIVE else state)
+    level = level_of(state, reason)
+    if rivals and state == ACTIVE:
+        message += f'; cmd_vel has other publishers: {", ".join(rivals)}'
+        level = max(level, DiagnosticStatus.WARN)
+    values = {'state': state} | facts
     status = DiagnosticStatus(
-        level=level_of(state, reason),
+        level=level,
         name=name,
-        message=reason or ('driving' if state == ACTIVE else state),
-        values=[
-            KeyValue(key=key, value=value) for key, value in ({'state': state} | facts).items()
-        ],
+        message=message,
+        values=[KeyValue(key=key, value=value) for key, value in values.items()],
     )
     return DiagnosticArray(header=header_message(nanoseconds, ''), status=[status])
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import partial
+import time
 from typing import Any
 
 from geometry_msgs.msg import PoseStamped
@@ -17,6 +18,7 @@ from socialnav.diagnostics import controller_facts
 from socialnav.models import ready_policy
 from socialnav.parameters import fixed_values, POLICY_PARAMETERS
 from socialnav.policy_outputs import PolicyOutputs
+from socialnav.punctuality import Punctuality
 from socialnav.watchdog import Watchdog
 from socialnav_msgs.msg import AgentStates
 
@@ -43,6 +45,7 @@ class Driver:
         self.node = node
         self.timer: Timer | None = None
         self.watchdog: Watchdog | None = None
+        self.punctuality = Punctuality(settings.period)
         self.outputs = PolicyOutputs(node, self.controller, values, on_change)
         self.create_inputs()
 
@@ -71,6 +74,7 @@ class Driver:
         self.outputs.begin()
         if not self.lockstep:
             settings = self.controller.settings
+            self.punctuality = Punctuality(settings.period)
             self.timer = self.node.create_timer(settings.period, self.on_tick)
             self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
 
@@ -131,9 +135,14 @@ class Driver:
         """Decide, unless this tick was on its way when the driver stopped."""
         if not self.running:
             return
-        self.outputs.publish(self.controller.decide(self.node.get_clock().now().nanoseconds))
-        if self.watchdog is not None:
-            self.watchdog.feed()
+        now = self.node.get_clock().now().nanoseconds
+        if self.lockstep:
+            self.outputs.publish(self.controller.decide(now))
+            return
+        self.punctuality.tick(time.monotonic(), lateness(self.timer))
+        self.outputs.publish(self.controller.decide(now))
+        self.punctuality.command(self.outputs.latest_command, self.controller.input_ages(now))
+        self.watchdog.feed()
 
     def on_stall(self) -> None:
         """Stop the robot, in the watchdog's thread, while nothing else can."""
@@ -142,4 +151,14 @@ class Driver:
     def facts(self) -> dict[str, str]:
         """Return what diagnostics tell."""
         ages = self.controller.input_ages(self.node.get_clock().now().nanoseconds)
-        return controller_facts(self.made_for['model'], ages, self.controller.tally)
+        facts = controller_facts(self.made_for['model'], ages, self.controller.tally)
+        return facts | self.punctuality.facts()
+
+
+def lateness(timer: Timer) -> float:
+    """
+    Return how long ago a timer should have called, s.
+
+    :param timer: it calls now.
+    """
+    return (timer.timer_period_ns - timer.time_until_next_call()) * 1e-9

@@ -1,6 +1,8 @@
 """From the name of a model to a policy that is ready to decide."""
 
+import os
 from pathlib import Path
+import re
 from typing import Any
 
 from ament_index_python.packages import get_package_share_directory
@@ -15,6 +17,8 @@ from socialnav_core.states import CrowdState
 
 BASELINES = ('orca', 'straight_line')
 """Policies that are no models: nothing is looked up for them."""
+NAME = re.compile(r'\w[\w.-]*')
+"""What a name of a model looks like; anything else is a path."""
 SCREENING = {'checkpoint': None, 'enabled': True, 'disabled': False}
 
 
@@ -44,12 +48,14 @@ def ready_policy(values: dict[str, Any], settings: ControllerSettings) -> Policy
 
 def installed(model: str) -> str:
     """
-    Return the folder of a model of this package, or the name as it is where there is none.
+    Return the folder of a model of this package, or what was given where there is none.
 
-    :param model: its name.
+    :param model: a name is looked up in the share folder and cannot lead out of it; a path stays.
     """
+    if not NAME.fullmatch(model):
+        return model
     folder = Path(get_package_share_directory('socialnav')) / 'models' / model
-    return str(folder) if folder.is_dir() else model
+    return str(folder) if os.path.isdir(folder) else model  # no error for what cannot be a path
 
 
 def example_state(body: RobotBody) -> CrowdState:

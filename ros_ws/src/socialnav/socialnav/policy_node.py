@@ -137,9 +137,10 @@ class PolicyNode(LifecycleNode):
         """Publish how the node is."""
         reason = self.problem if not self.drives() else self.driver.outputs.reason
         facts = {} if self.driver is None else self.driver.facts()
+        rivals = [] if self.driver is None else self.driver.outputs.rivals()
         now = self.get_clock().now().nanoseconds
         name = self.get_name()
-        self.health.publish(diagnostics_message(now, name, self.label, reason, facts))
+        self.health.publish(diagnostics_message(now, name, self.label, reason, facts, rivals))
 
     def release(self) -> None:
         """Give up everything that was made at configuration."""

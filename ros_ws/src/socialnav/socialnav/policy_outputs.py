@@ -1,6 +1,8 @@
 """What the policy node publishes about its decisions."""
 
 from collections.abc import Callable
+import contextlib
+import time
 from typing import Any
 
 from geometry_msgs.msg import Twist, TwistStamped
@@ -43,6 +45,7 @@ class PolicyOutputs:
         self.on_change = on_change
         self.reason: str | None = UNDECIDED
         self.goal_reached: bool | None = None
+        self.latest_command = 0.0
         self.base_frame = values['base_frame']
         self.lockstep = controller.settings.lockstep
         self.stamped = self.lockstep or values['enable_stamped_cmd_vel']
@@ -95,6 +98,14 @@ class PolicyOutputs:
             if weights is not None:
                 self.attention.publish(attention_markers(intention.state, weights, now, frame))
 
+    def rivals(self) -> list[str]:
+        """Return the other publishers of commands, by their nodes."""
+        ends = self.node.get_publishers_info_by_topic(self.commands.topic_name)
+        names = [f'{one.node_namespace.rstrip("/")}/{one.node_name}' for one in ends]
+        with contextlib.suppress(ValueError):
+            names.remove(self.node.get_fully_qualified_name())
+        return sorted(names)
+
     def report(self, reason: str | None) -> None:
         """
         Say why the robot stands, when that changes.
@@ -121,3 +132,4 @@ class PolicyOutputs:
             stamp = decision.stamp if self.lockstep else now
             message = stamped_twist_message(message, stamp, self.base_frame)
         self.commands.publish(message)
+        self.latest_command = time.monotonic()

@@ -3,9 +3,8 @@
 from collections.abc import Iterator
 import os
 
-from graph import Graph
+from graph import Graph, open_graph
 import pytest
-import rclpy
 
 from socialnav.isolation import isolated_environment
 
@@ -15,8 +14,5 @@ os.environ.update(isolated_environment(os.environ))
 @pytest.fixture
 def graph() -> Iterator[Graph]:
     """Yield a node that listens and speaks, and starts others."""
-    rclpy.init()
-    graph = Graph()
-    yield graph
-    graph.close()
-    rclpy.try_shutdown()
+    with open_graph() as graph:
+        yield graph

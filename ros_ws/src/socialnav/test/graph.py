@@ -1,8 +1,9 @@
 """What tests see of the graph: a node of their own, and processes that they start."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 import contextlib
 import os
+from pathlib import Path
 import signal
 import subprocess
 import time
@@ -11,11 +12,14 @@ from typing import Any
 import rclpy
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import QoSProfile
+from shared_memory import owned_files, remove
 
 from socialnav.children import command_line
 
-DEADLINE = 20.0
+DEADLINE = 40.0
 """Time that anything may take before a test fails, s."""
+LIFETIME = 300.0
+"""Time after which a process ends whatever became of the test, s."""
 UNSEEN_MATCH = 0.3
 """Time that a server is given to hear of the reader of its answers, s."""
 
@@ -29,11 +33,16 @@ class Graph:
         self.executor.add_node(self.node)
         self.processes: list[subprocess.Popen] = []
         self.living: list[subprocess.Popen] = []
+        self.leftovers: set[Path] = set()
 
     def start(self, name: str, **parameters: object) -> subprocess.Popen:
         """Start a node of the package; it is killed at the end of the test at the latest."""
+        return self.run(command_line(name, parameters))
+
+    def run(self, command: list[str]) -> subprocess.Popen:
+        """Start a program; it is killed at the end of the test at the latest."""
         process = subprocess.Popen(
-            ['timeout', '-k', '5', '120', *command_line(name, parameters)],
+            ['timeout', '-k', f'{DEADLINE:g}', f'{LIFETIME:g}', *command],
             stderr=subprocess.PIPE, text=True, env=dict(os.environ), start_new_session=True,
         )  # fmt: skip
         self.processes.append(process)
@@ -43,6 +52,8 @@ class Graph:
     def kill(self, process: subprocess.Popen, number: int = signal.SIGKILL) -> None:
         """Send a signal to a node; from now on it may die."""
         self.living.remove(process)
+        if number == signal.SIGKILL:
+            self.leftovers |= owned_files(process)
         kill(process, number)
 
     def listen(self, kind: type, topic: str, profile: QoSProfile | int = 1000) -> list:
@@ -91,13 +102,36 @@ class Graph:
         raise AssertionError(f'no response of {name} within {DEADLINE:g} s')
 
     def close(self) -> None:
-        """Kill what was started and leave."""
+        """Kill what was started and leave; whatever a test was about, nothing had a traceback."""
         for process in self.processes:
+            self.leftovers |= owned_files(process)
             kill(process)
             process.wait()
-            process.stderr.close()
+        remove(self.leftovers)
+        errors = ''.join(remaining_errors(process) for process in self.processes)
         self.executor.shutdown()
         self.node.destroy_node()
+        assert 'Traceback' not in errors, errors
+
+
+@contextlib.contextmanager
+def open_graph() -> Iterator[Graph]:
+    """Yield a node that listens and speaks, and starts others."""
+    rclpy.init()
+    graph = Graph()
+    try:
+        yield graph
+        graph.close()
+    finally:
+        rclpy.try_shutdown()
+
+
+def remaining_errors(process: subprocess.Popen) -> str:
+    """Return what a process has printed as errors and nobody has read; close the pipe."""
+    if process.stderr.closed:
+        return ''
+    with process.stderr as stream:
+        return stream.read()
 
 
 def kill(process: subprocess.Popen, number: int = signal.SIGKILL) -> None:

@@ -4,6 +4,10 @@ from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetState
 from rcl_interfaces.msg import Parameter, ParameterValue, SetParametersResult
 from rcl_interfaces.srv import SetParameters
+import rclpy
+
+TEXT, DOUBLE = 4, 3
+"""Types of a ParameterValue."""
 
 
 def state_of(graph, node='policy_node') -> str:
@@ -22,3 +26,12 @@ def change_parameter(graph, name, node='policy_node', **value) -> SetParametersR
     request = SetParameters.Request()
     request.parameters = [Parameter(name=name, value=ParameterValue(**value))]
     return graph.call(SetParameters, f'{node}/set_parameters', request).results[0]
+
+
+def change_parameters(graph, changes, node='policy_node') -> list[SetParametersResult]:
+    """Change parameters, given as names and values, each for itself."""
+    request = SetParameters.Request()
+    request.parameters = [
+        rclpy.parameter.Parameter(name, value=value).to_parameter_msg() for name, value in changes
+    ]
+    return graph.call(SetParameters, f'{node}/set_parameters', request).results

@@ -33,6 +33,7 @@ class Robot:
 
     def __init__(self, graph):
         self.graph = graph
+        self.now = lambda: graph.node.get_clock().now().nanoseconds
         self.publishers = {
             name: graph.node.create_publisher(kind, name, profile)
             for name, (kind, profile) in KINDS.items()
@@ -46,7 +47,7 @@ class Robot:
 
     def publish(self, state, without=(), frame='odom', change=lambda messages: None, shift=0.0):
         """Publish a state as of now, or of some seconds later, with messages changed."""
-        now = self.graph.node.get_clock().now().nanoseconds + int(shift * 1e9)
+        now = self.now() + int(shift * 1e9)
         messages = messages_of(state, now, frame)
         change(messages)
         for name, message in messages.items():

@@ -94,3 +94,17 @@ def test_a_cancelled_goal_stops_the_robot_until_there_is_another(graph, health, 
     graph.kill(simulator)
     graph.start('simulator_node')
     drives(graph, commands)
+
+
+def test_another_publisher_of_commands_is_a_warning_while_the_robot_is_driven(
+    graph, health, commands
+):
+    health.wait('no odom')
+    foreign = graph.node.create_publisher(Twist, 'cmd_vel', qos.COMMAND)
+    status = health.wait('cmd_vel has other publishers: /probe')
+    assert status.level == DiagnosticStatus.WARN
+    assert change_state(graph, 'deactivate')
+    assert health.wait('inactive').message == 'inactive'
+    graph.node.destroy_publisher(foreign)
+    assert change_state(graph, 'activate')
+    graph.wait(lambda: health.newest().message == 'no odom', 'end of the warning')

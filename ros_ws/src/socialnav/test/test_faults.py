@@ -3,53 +3,20 @@
 import dataclasses
 import math
 
-from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import Twist
+from driving import Drive
+from graph import open_graph
+from managed import change_parameter, DOUBLE
 import numpy as np
 import pytest
-from robot import Robot, speed
+from robot import speed
 from worlds import random_state
 
-from socialnav import qos
 
-
-class Drive:
-    """A policy node with its inputs, as real processes."""
-
-    def __init__(self, graph, **parameters):
-        self.graph, self.robot = graph, Robot(graph)
-        self.commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
-        self.health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
-        graph.start('policy_node', **({'model': 'orca'} | parameters))
-        self.robot.wait()
-
-    def until(self, moving, reason, state, what, **options):
-        """Publish a state until the robot moves, or stands for a reason, for three commands."""
-
-        def as_wanted():
-            self.robot.publish(state, **options)
-            self.graph.spin(0.05)
-            told = self.health[-1].status[0].message if self.health else ''
-            latest = [speed(one) for one in self.commands[-3:]]
-            return (
-                len(latest) == 3 and reason in told and all((one > 0) == moving for one in latest)
-            )
-
-        self.commands.clear()
-        self.graph.wait(as_wanted, f'{"motion" if moving else "stop"}: {what}')
-
-    def moves(self, state, what='all is well', **options):
-        """Wait until the robot moves."""
-        self.until(True, 'driving', state, what, **options)
-
-    def stands(self, reason, state, what, **options):
-        """Wait until the robot stands for a reason."""
-        self.until(False, reason, state, what, **options)
-
-
-@pytest.fixture
-def drive(graph):
-    return Drive(graph)
+@pytest.fixture(scope='module')
+def drive():
+    """Yield a robot that all tests of this file drive in turn."""
+    with open_graph() as graph:
+        yield Drive(graph).start()
 
 
 def change_of(name, path, value):
@@ -98,6 +65,14 @@ def test_when_one_input_stops_the_robot_stops_only_where_that_input_ages(drive):
         drive.moves(state)
         drive.graph.spin(0.7)
         drive.moves(state, f'{name} stopped', without=[name])
+    assert change_parameter(
+        drive.graph, 'obstacles_timeout', type=DOUBLE, double_value=0.4
+    ).successful
+    drive.stands('obstacles older than', state, 'obstacles stopped', without=['obstacles'])
+    assert change_parameter(
+        drive.graph, 'obstacles_timeout', type=DOUBLE, double_value=0.0
+    ).successful
+    drive.moves(state, 'obstacles do not age any more', without=['obstacles'])
 
 
 def test_a_clock_that_jumps_stops_the_robot_and_the_right_time_lets_it_go_on(drive):
@@ -146,3 +121,20 @@ def test_a_goal_that_changes_ten_times_a_second_is_followed(drive):
         drive.robot.publish(dataclasses.replace(state, robot_goal=goal))
         drive.graph.spin(0.1)
     assert len(drive.commands) > 10 and all(map(speed, drive.commands[1:]))
+
+
+def test_an_obstacle_that_appears_in_the_way_is_not_driven_into(drive):
+    free = random_state(0, pedestrians=0, obstacles=1)
+    free.robot_position[:], free.robot_velocity[:], free.robot_heading[:] = 0.0, 0.0, 0.0
+    free.robot_goal[:], free.radius[:] = [[5.0, 0.0]], 0.5
+    free.position[:] = [[[0.0, 5.0]]]
+    blocked = dataclasses.replace(free, position=np.array([[[1.0, 0.0]]]))
+    for state, may_go_on in ((free, True), (blocked, False), (free, True)):
+
+        def reacts(state=state, may_go_on=may_go_on):
+            drive.robot.publish(state)
+            drive.graph.spin(0.05)
+            return drive.commands and (drive.commands[-1].linear.x > 0.9) == may_go_on
+
+        drive.graph.wait(reacts, 'way ahead' if may_go_on else 'reaction to the obstacle')
+    assert drive.health[-1].status[0].message == 'driving'

@@ -1,11 +1,12 @@
 """Laws of the policy node as a managed node, over the middleware."""
 
+import pickle
 import signal
 
 from geometry_msgs.msg import Twist
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState
-from managed import change_parameter, change_state, state_of
+from managed import change_parameter, change_state, DOUBLE, state_of, TEXT
 import pytest
 from robot import drives, speed
 
@@ -14,8 +15,6 @@ from socialnav_core.config import Config
 from socialnav_core.policies import build_network
 from socialnav_core.policies.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario
-
-TEXT, DOUBLE = 4, 3
 
 
 @pytest.fixture
@@ -136,15 +135,52 @@ def garbage(folder):
     (folder / 'weights.safetensors').write_bytes(bytes(range(256)) * 64)
 
 
-@pytest.mark.parametrize('damage', [missing, truncated, altered, mismatching, garbage])
-def test_a_damaged_model_leaves_the_node_unconfigured_with_one_line(graph, tmp_path, damage):
+def empty(folder):
+    """Write weights of no length."""
+    (folder / 'weights.safetensors').write_bytes(b'')
+
+
+def disguised(folder):
+    """Write a pickle instead of weights; loading it would leave a trace."""
+
+    class Trap:
+        def __reduce__(self):
+            return (open, (str(folder / 'sprung'), 'w'))
+
+    (folder / 'weights.safetensors').write_bytes(pickle.dumps(Trap()))
+
+
+def obscure(folder):
+    """Write noise instead of the config."""
+    (folder / 'config.yaml').write_bytes(bytes(range(256)) * 64)
+
+
+def programmed(folder):
+    """Write a config that is a program; loading it would leave a trace."""
+    trap = f"!!python/object/apply:builtins.open ['{folder / 'sprung'}', 'w']"
+    (folder / 'config.yaml').write_text(f'name: {trap}\n')
+
+
+DAMAGES = (
+    missing, truncated, altered, mismatching, garbage, empty, disguised, obscure, programmed,
+)  # fmt: skip
+
+
+def test_a_damaged_model_leaves_the_node_unconfigured_with_one_line(graph, tmp_path):
+    policy = graph.start('policy_node', autostart=False)
     config = Config('damaged', make_scenario('hard'))
-    save_weights(tmp_path, build_network(config.policy), config)
-    damage(tmp_path)
-    policy = graph.start('policy_node', model=tmp_path)
+    network = build_network(config.policy)
+    for damage in DAMAGES:
+        folder = tmp_path / damage.__name__
+        save_weights(folder, network, config)
+        damage(folder)
+        assert change_parameter(graph, 'model', type=TEXT, string_value=str(folder)).successful
+        assert not change_state(graph, 'configure'), damage
+        assert not (folder / 'sprung').exists()
     assert state_of(graph) == 'unconfigured'
-    errors = end(graph, policy)
-    assert str(tmp_path) in errors and errors.count('\n') == 1
+    errors = end(graph, policy).splitlines()
+    for damage, line in zip(DAMAGES, errors, strict=True):
+        assert str(tmp_path / damage.__name__) in line
 
 
 @pytest.mark.parametrize(

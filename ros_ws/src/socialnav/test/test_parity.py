@@ -70,7 +70,7 @@ def compare(graph, model, scenario, cases):
     odometry = graph.listen(Odometry, 'odom')
     graph.start('simulator_node', lockstep=True, scenario=scenario, seed=SEED, episodes=cases)
     graph.start('policy_node', lockstep=True, scenario=scenario, model=model)
-    graph.wait(lambda: len(results) == cases, 'end of the episodes', deadline=110.0)
+    graph.wait(lambda: len(results) == cases, 'end of the episodes', deadline=250.0)
     graph.spin(0.2)
     final = {nanoseconds_of(one.header.stamp): one.pose.pose.position for one in odometry}
     torch.set_num_threads(1)  # as in the node

@@ -28,21 +28,21 @@ def demo(*arguments):
     )  # fmt: skip
 
 
-def nodes_of(process):
-    """Return the process ids of the nodes that a demo has started."""
+def processes_of(process):
+    """Return the process ids of a demo and of the nodes that it has started."""
     columns = ['-o', 'pid=', '-o', 'ppid=', '-o', 'args=']
     found = subprocess.run(
         ['ps', '-e', '-ww', *columns], capture_output=True, text=True, check=True
     )
     rows = [line.split(None, 2) for line in found.stdout.splitlines()]
-    demos = {row[0] for row in rows if row[1] == str(process.pid)}
-    return [row[0] for row in rows if row[1] in demos and '_node' in row[2]]
+    demos = [row[0] for row in rows if row[1] == str(process.pid)]
+    return demos, [row[0] for row in rows if row[1] in demos and '_node' in row[2]]
 
 
 def wait_for_nodes(process):
-    """Wait until a demo has started both of its nodes."""
-    deadline = time.monotonic() + 20
-    while len(nodes := nodes_of(process)) < 2:
+    """Return the process ids of the nodes of a demo as soon as there are both."""
+    deadline = time.monotonic() + 40
+    while len(nodes := processes_of(process)[1]) < 2:
         assert time.monotonic() < deadline and process.poll() is None
         time.sleep(0.05)
     return nodes
@@ -126,6 +126,18 @@ def test_a_robot_that_only_measures_reaches_its_goal(tmp_path):
     assert '1 of 1 reached the goal' in text and re.search(
         r'^\d+ of \d+ decisions were late', text, re.MULTILINE
     )
+
+
+def test_the_nodes_of_a_demo_that_is_killed_end_by_themselves(tmp_path):
+    process = demo('--model', 'orca', '--out', tmp_path, '--real-time')
+    nodes = wait_for_nodes(process)
+    (number,), _ = processes_of(process)
+    os.kill(int(number), signal.SIGKILL)
+    process.communicate()
+    deadline = time.monotonic() + 10
+    while any(map(alive, nodes)):
+        assert time.monotonic() < deadline, 'a node outlives the demo'
+        time.sleep(0.05)
 
 
 def test_a_scenario_that_does_not_exist_is_a_mistake_of_usage():

@@ -1,0 +1,183 @@
+"""
+Measure how long a robot drives on when its inputs stop, over the real middleware.
+
+    source scripts/environment.bash && python benchmarks/ros/stop_times.py
+
+A time counts from the stamp of the last message of the input to the arrival of the first zero
+command. Fails when one is beyond input_timeout, a period and what a busy machine may add. Where
+the measuring process itself stood still for longer than that, the stop is repeated and counted so.
+
+A process that is killed while it publishes holds up the shared memory of Fast DDS, and with it
+everybody who uses that, for a second: some such times may be beyond the limit; they are counted.
+"""
+
+import argparse
+from collections.abc import Callable
+import math
+import os
+import random
+import signal
+import sys
+
+from nav_msgs.msg import Odometry
+import numpy as np
+from rclpy.qos import qos_profile_sensor_data
+from rig import conditions, KINDS, Rig
+
+from socialnav.children import Nodes, running_nodes
+from socialnav.stamps import nanoseconds_of
+
+INPUT_TIMEOUT, PERIOD = 0.5, 0.1
+ALLOWANCE = 0.02
+"""Time that a tick and a message may wait for a busy processor, s."""
+LIMIT = INPUT_TIMEOUT + PERIOD + ALLOWANCE
+SHARE_HELD_UP = 0.1
+"""Largest share of kills after which the middleware may stand still."""
+KILLED = 'simulator killed'
+PEDESTRIANS = 5
+POLICY = {
+    'input_timeout': INPUT_TIMEOUT,
+    'controller_frequency': 1 / PERIOD,
+    'model': 'straight_line',  # it never chooses to stand
+}
+
+
+def main() -> int:
+    """Measure, print a table and return 1 where the robot once drove on for too long."""
+    parser = argparse.ArgumentParser(description=__doc__.strip().splitlines()[0])
+    parser.add_argument('--repetitions', type=int, default=100, help='of each stop (default: 100)')
+    options = parser.parse_args()
+    rig = Rig(PEDESTRIANS)
+    before = conditions()
+    with running_nodes({'policy_node': POLICY}, os.environ):
+        times = {
+            f'`{name}` stops': repeat(options.repetitions, lambda name=name: silence(rig, name))
+            for name in ('odom', 'pedestrians')
+        }
+        times[KILLED] = repeat(options.repetitions, lambda: kill_simulator(rig))
+    rig.close()
+    print(f'\n{before}; {conditions()} at the end\n\n{table(times)}')
+    return int(
+        any(beyond(measured) > allowed(name, measured) for name, (measured, _) in times.items())
+    )
+
+
+def beyond(times: list[float]) -> int:
+    """
+    Return how many times are beyond the limit.
+
+    :param times: s.
+    """
+    return sum(time > LIMIT for time in times)
+
+
+def allowed(name: str, times: list[float]) -> int:
+    """
+    Return how many times may be beyond the limit.
+
+    :param name: what stopped.
+    :param times: s.
+    """
+    return math.ceil(SHARE_HELD_UP * len(times)) if name == KILLED else 0
+
+
+def repeat(repetitions: int, measure: Callable[[], float | None]) -> tuple[list[float], int]:
+    """
+    Return the times of some stops, s, and how many could not be measured.
+
+    :param repetitions: how many to measure.
+    :param measure: stops once; returns None where the machine stood still.
+    :raises RuntimeError: when it does so most of the time.
+    """
+    times: list[float] = []
+    for attempt in range(2 * repetitions + 2):
+        if (time := measure()) is not None:
+            times.append(time)
+        if len(times) == repetitions:
+            return times, attempt + 1 - repetitions
+    raise RuntimeError('this machine is too busy to measure anything')
+
+
+def silence(rig: Rig, name: str) -> float | None:
+    """
+    Return how long the robot drove on after the last message of a topic, s.
+
+    :param rig: publishes all others.
+    :param name: of the topic.
+    """
+    rig.silent.clear()
+    rig.wait(rig.drives, 'motion')
+    rig.spin(random.uniform(0.1, 0.1 + 2 * PERIOD))  # at any moment of a period
+    rig.silent.add(name)
+    time = until_zero(rig, lambda: rig.stamps[name])
+    rig.silent.clear()
+    return time
+
+
+def kill_simulator(rig: Rig) -> float | None:
+    """
+    Return how long the robot drove on after the last odometry of a simulator, s.
+
+    :param rig: only listens.
+    """
+    rig.silent.update(KINDS)
+    stamps: list[int] = []
+    listener = rig.node.create_subscription(
+        Odometry, 'odom', lambda one: stamps.append(nanoseconds_of(one.header.stamp)),
+        qos_profile_sensor_data,
+    )  # fmt: skip
+    rig.wait(lambda: not rig.drives(), 'standstill')
+    with running_nodes({'simulator_node': {'scenario': 'simple'}}, os.environ) as nodes:
+        rig.wait(rig.drives, 'motion')
+        rig.spin(random.uniform(0.1, 0.1 + 2 * PERIOD))
+        kill(nodes)
+        time = until_zero(rig, lambda: stamps[-1])
+    rig.node.destroy_subscription(listener)
+    return time
+
+
+def kill(nodes: Nodes) -> None:
+    """
+    Kill nodes at once.
+
+    :param nodes: to kill.
+    """
+    for node in nodes.values():
+        node.send_signal(signal.SIGKILL)
+
+
+def until_zero(rig: Rig, last: Callable[[], int]) -> float | None:
+    """
+    Return the time from the last message of an input to the first zero command, s, if it is known.
+
+    :param rig: hears the commands.
+    :param last: returns the stamp of that message, ns; it may still be under way now.
+    """
+    rig.commands.clear()
+    rig.wait(lambda: any(not moving for _, moving in rig.commands), 'zero command')
+    if rig.longest_pause > ALLOWANCE:
+        return None
+    return next(moment for moment, moving in rig.commands if not moving) - last() * 1e-9
+
+
+def table(times: dict[str, tuple[list[float], int]]) -> str:
+    """
+    Return a table in Markdown.
+
+    :param times: s, and how many were repeated, by what stopped.
+    """
+    rows = [
+        '| what stops | times | median | 99 % | longest | limit | beyond | repeated |',
+        '|---|---|---|---|---|---|---|---|',
+    ]
+    for name, (values, repeated) in times.items():
+        middle, high = np.percentile(values, [50, 99])
+        numbers = (f'{one:.3f} s' for one in (middle, high, max(values), LIMIT))
+        rows.append(
+            f'| {name} | {len(values)} | {" | ".join(numbers)} | {beyond(values)} | {repeated} |'
+        )
+    return '\n'.join(rows)
+
+
+if __name__ == '__main__':
+    sys.exit(main())

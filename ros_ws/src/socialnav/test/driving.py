@@ -1,0 +1,48 @@
+"""A policy node that drives as a test wants it to."""
+
+from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import Twist
+from robot import Robot, speed
+
+from socialnav import qos
+
+
+class Drive:
+    """A policy node with its inputs, as real processes."""
+
+    def __init__(self, graph):
+        self.graph, self.robot = graph, Robot(graph)
+        self.commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+        self.health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
+
+    def start(self, command=None, **parameters):
+        """Start a policy node, or a program that is like one."""
+        if command is None:
+            self.graph.start('policy_node', **({'model': 'orca'} | parameters))
+        else:
+            self.graph.run(command)
+        self.robot.wait()
+        return self
+
+    def until(self, moving, reason, state, what, **options):
+        """Publish a state until the robot moves, or stands for a reason, for three commands."""
+
+        def as_wanted():
+            self.robot.publish(state, **options)
+            self.graph.spin(0.05)
+            told = self.health[-1].status[0].message if self.health else ''
+            latest = [speed(one) for one in self.commands[-3:]]
+            return (
+                len(latest) == 3 and reason in told and all((one > 0) == moving for one in latest)
+            )
+
+        self.commands.clear()
+        self.graph.wait(as_wanted, f'{"motion" if moving else "stop"}: {what}')
+
+    def moves(self, state, what='all is well', **options):
+        """Wait until the robot moves."""
+        self.until(True, 'driving', state, what, **options)
+
+    def stands(self, reason, state, what, **options):
+        """Wait until the robot stands for a reason."""
+        self.until(False, reason, state, what, **options)

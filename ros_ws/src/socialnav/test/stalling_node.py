@@ -1,0 +1,31 @@
+"""The policy node as a program, with a policy that takes very long from a certain place on."""
+
+import sys
+import time
+
+import numpy as np
+
+from socialnav import driver, policy_node
+
+STALL = 3.0
+"""Time that a decision takes there, s."""
+
+
+class StallingPolicy:
+    """Drives east, but beyond x = 1 m each decision takes very long."""
+
+    kinematics = 'holonomic'
+
+    def act(self, state):
+        """Return the command."""
+        if state.robot_position[0, 0] > 1.0:
+            time.sleep(STALL)
+        return np.array([[0.5, 0.0]])
+
+    def reset(self):
+        """Forget nothing."""
+
+
+if __name__ == '__main__':
+    driver.ready_policy = lambda values, settings: StallingPolicy()
+    sys.exit(policy_node.main())

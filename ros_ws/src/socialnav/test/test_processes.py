@@ -1,0 +1,111 @@
+"""Laws of processes that die and come back, of the shared memory that they use, and of signals."""
+
+import signal
+
+from geometry_msgs.msg import Twist
+from managed import change_state, state_of
+from nav_msgs.msg import Odometry
+import pytest
+from robot import drives, speed
+from shared_memory import owned_files
+
+from socialnav import qos
+from socialnav_msgs.msg import EpisodeResult
+
+POLICY = {'model': 'orca', 'bounds': 7.5}
+SIGNALS = (signal.SIGINT, signal.SIGTERM)
+WAY_TO = {'unconfigured': (), 'inactive': ('configure',), 'active': ('configure', 'activate')}
+
+
+@pytest.fixture
+def commands(graph):
+    """Return the commands that a robot gets."""
+    return graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+
+
+@pytest.fixture
+def odometry(graph):
+    """Return how the robot moves."""
+    return graph.listen(Odometry, 'odom')
+
+
+def moves(graph, odometry, moving=True):
+    """Wait until new odometry says that the robot moves, or stands."""
+    odometry.clear()
+    graph.wait(
+        lambda: odometry and (speed(odometry[-1].twist.twist) > 0.1) == moving,
+        'motion' if moving else 'standstill',
+    )
+
+
+def end(graph, process, number):
+    """End a node with a signal; nothing of it may stay."""
+    files = owned_files(process)
+    assert files
+    graph.kill(process, number)
+    graph.wait(lambda: process.poll() is not None, 'end of the process')
+    assert process.returncode == 0
+    assert not [file for file in files if file.exists()]
+
+
+def test_a_robot_whose_policy_or_simulator_is_killed_stands_until_there_is_another(
+    graph, commands, odometry
+):
+    simulator = graph.start('simulator_node')
+    policy = graph.start('policy_node', **POLICY)
+    moves(graph, odometry)
+    graph.kill(policy)
+    moves(graph, odometry, moving=False)
+    policy = graph.start('policy_node', **POLICY)
+    moves(graph, odometry)
+    graph.kill(simulator)
+    graph.wait(lambda: speed(commands[-1]) == 0.0, 'stop')
+    graph.start('simulator_node')
+    moves(graph, odometry)
+    end(graph, policy, signal.SIGTERM)
+    assert speed(commands[-1]) == 0.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('order', [('simulator', 'policy'), ('policy', 'simulator')])
+@pytest.mark.parametrize('lockstep', [False, True])
+def test_both_may_be_killed_at_once_and_start_again_in_any_order(graph, odometry, order, lockstep):
+    parameters = {'simulator': {'lockstep': lockstep}, 'policy': POLICY | {'lockstep': lockstep}}
+    for _ in range(3):
+        nodes = []
+        for name in order:
+            nodes.append(graph.start(f'{name}_node', **parameters[name]))
+            graph.spin(1.0)
+        moves(graph, odometry)
+        for node in nodes:
+            graph.kill(node)
+
+
+def test_an_episode_in_lockstep_goes_on_with_another_policy(graph, odometry):
+    results = graph.listen(EpisodeResult, 'episode_result', qos.LATCHED_RECORDING)
+    graph.start('simulator_node', lockstep=True, episodes=1, scenario='crowd20')
+    policy = graph.start('policy_node', lockstep=True, model='orca', scenario='crowd20')
+    graph.wait(lambda: len(odometry) > 5, 'first steps')
+    graph.kill(policy)
+    assert not results
+    graph.start('policy_node', lockstep=True, model='orca', scenario='crowd20')
+    graph.wait(lambda: results, 'end of the episode')
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('number', SIGNALS)
+@pytest.mark.parametrize('label', WAY_TO)
+def test_a_signal_in_any_state_is_obeyed_with_exit_code_0_and_leaves_nothing(
+    graph, commands, label, number
+):
+    end_simulator = graph.start('simulator_node')
+    policy = graph.start('policy_node', autostart=False, **POLICY)
+    for transition in WAY_TO[label]:
+        assert change_state(graph, transition)
+    assert state_of(graph) == label
+    if label == 'active':
+        drives(graph, commands)
+    end(graph, policy, number)
+    graph.spin(0.3)
+    assert not any(map(speed, commands[-1:])) and bool(commands) == (label == 'active')
+    end(graph, end_simulator, number)

@@ -1,0 +1,61 @@
+"""A decision or a clock that does not go on must not leave the robot to itself."""
+
+import dataclasses
+from pathlib import Path
+import sys
+import time
+
+from driving import Drive
+import numpy as np
+from rosgraph_msgs.msg import Clock
+from worlds import random_state
+
+from socialnav import qos
+from socialnav.stamps import time_message
+
+STALLING_NODE = Path(__file__).with_name('stalling_node.py')
+
+
+class SimulatedTime:
+    """Time that is published, and can stand and jump."""
+
+    def __init__(self, graph, publisher):
+        self.running, self.offset = True, 1000.0 - time.monotonic()
+        self.publisher, self.latest = publisher, 0
+        graph.node.create_timer(0.02, self.publish)
+
+    def publish(self):
+        """Tell the time, if it runs."""
+        if self.running:
+            self.latest = int((time.monotonic() + self.offset) * 1e9)
+            self.publisher.publish(Clock(clock=time_message(self.latest)))
+
+    def read(self):
+        """Return the time, ns."""
+        return self.latest
+
+
+def test_a_decision_that_stalls_stops_the_robot_while_it_lasts(graph):
+    drive = Drive(graph).start([sys.executable, str(STALLING_NODE)])
+    state = random_state(0)
+    state.robot_position[:] = 0.0
+    drive.moves(state)
+    beyond = dataclasses.replace(state, robot_position=np.array([[2.0, 0.0]]))
+    drive.stands('the decision hangs', beyond, 'a stalling decision')
+    drive.moves(state)
+
+
+def test_a_clock_that_stands_or_jumps_back_stops_the_robot_until_it_goes_on(graph):
+    drive = Drive(graph)
+    clock = graph.node.create_publisher(Clock, '/clock', qos.CLOCK)
+    simulated = SimulatedTime(graph, clock)
+    drive.robot.now = simulated.read
+    drive.start(use_sim_time=True)
+    state = random_state(0)
+    drive.moves(state)
+    simulated.running = False
+    drive.stands('the clock has stopped', state, 'clock stopped')
+    simulated.running = True
+    drive.moves(state, 'the clock goes on')
+    simulated.offset -= 100.0
+    drive.moves(state, 'the clock has jumped back, and the stamps with it')
