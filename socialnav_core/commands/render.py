@@ -94,9 +94,7 @@ def require_format(path: Path, formats: tuple[str, ...]) -> None:
     :param formats: suffixes to choose from.
     """
     if path.suffix not in formats:
-        raise ConfigError(
-            f'{path} must end in {" or ".join(formats)}'
-        )
+        raise ConfigError(f'{path} must end in {" or ".join(formats)}')
     if path.suffix == '.mp4':
         from socialnav_core.evaluation.animation import require_ffmpeg
 
