@@ -92,6 +92,18 @@ POLICY_PARAMETERS = (
     ),
     Entry('require_obstacles', False, 'stand until obstacles have come', live='yes'),
     Entry(
+        'use_map', False, 'occupied cells of the map near the robot are obstacles; stand without',
+        live='inactive',
+    ),
+    Entry(
+        'plan_lookahead_distance', 2.0, 'way along a plan to the point that is headed for',
+        'm', (0.1, 100.0), live='yes',
+    ),
+    Entry(
+        'plan_timeout', 0.0, 'age of a plan at which the goal itself is headed for; 0: never',
+        's', (0.0, 3600.0), live='yes',
+    ),
+    Entry(
         'stop_publish_timeout', 10.0, 'go silent after nothing but stops for so long; 0: never',
         's', (0.0, 3600.0), live='yes',
     ),
@@ -113,7 +125,10 @@ POLICY_PARAMETERS = (
         'm', (0.01, 5.0), live='yes',
     ),
     Entry('max_agents', 20, 'only the nearest so many agents count', '', (1, 1000), live='yes'),
-    Entry('planning_frame', 'odom', 'frame that all inputs must be in', live='inactive'),
+    Entry(
+        'planning_frame', 'odom', 'frame of decisions; inputs in others need tf2_ros',
+        live='inactive',
+    ),
     Entry('base_frame', 'base_link', 'frame of stamped commands', live='inactive'),
     Entry(
         'enable_stamped_cmd_vel', False, 'TwistStamped instead of Twist; lockstep always does',
