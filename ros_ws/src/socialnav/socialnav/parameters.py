@@ -74,6 +74,10 @@ POLICY_PARAMETERS = (
         'refuse actions after which a collision is certain; checkpoint: as saved',
         choices=('checkpoint', 'enabled', 'disabled'), live='inactive',
     ),
+    Entry(
+        'screening_horizon', 0.0, 'how long the way of escape must stay free; 0: as saved',
+        's', (0.0, 10.0), live='inactive',
+    ),
     Entry('lockstep', False, 'decide once per state of a simulator in lockstep', live='inactive'),
     Entry(
         'scenario', 'hard', 'world that gives radius, speed and bounds in lockstep',
@@ -132,6 +136,10 @@ POLICY_PARAMETERS = (
     Entry('base_frame', 'base_link', 'frame of stamped commands', live='inactive'),
     Entry(
         'enable_stamped_cmd_vel', False, 'TwistStamped instead of Twist; lockstep always does',
+        live='inactive',
+    ),
+    Entry(
+        'device', 'cpu', 'where the network is computed', choices=('cpu', 'cuda'),
         live='inactive',
     ),
     Entry('threads', 1, 'threads of a decision', '', (1, 64), live='inactive'),

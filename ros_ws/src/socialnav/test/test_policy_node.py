@@ -9,14 +9,18 @@ from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from managed import change_parameter
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
+import numpy as np
 import pytest
 from robot import Robot, speed
 from std_msgs.msg import Bool
+from std_srvs.srv import SetBool
 from test_plan import plan_of
 from worlds import random_state
 
 from socialnav import qos
 from socialnav.occupancy import map_message
+from socialnav.reasons import STALLED
+from socialnav.stamps import nanoseconds_of
 
 PERIOD = 0.1
 TRANSPORT = 0.2
@@ -207,3 +211,20 @@ def test_what_the_map_shows_is_no_longer_driven_into(graph):
     graph.wait(lambda: told('driving', lambda speed: speed > 0.9), 'motion where nothing is')
     maps.publish(map_message(state, 0, 'odom'))
     graph.wait(lambda: told('driving', lambda speed: speed < 0.3), 'care before an obstacle')
+
+
+def test_on_the_clock_of_a_fast_simulator_the_robot_drives_and_stands_when_it_is_paused(graph):
+    commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+    odometry = graph.listen(Odometry, 'odom')
+    health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
+    graph.start('simulator_node', publish_clock=True, real_time_factor=3.0)
+    graph.start('policy_node', model='orca', bounds=7.5, use_sim_time=True)
+    graph.wait(lambda: commands and speed(commands[-1]) > 0.1, 'motion')
+    stamps = [nanoseconds_of(one.header.stamp) for one in odometry]
+    assert min(np.diff(stamps)) == 150_000_000  # at 20 Hz
+    assert graph.call(SetBool, 'simulator_node/pause', SetBool.Request(data=True)).success
+    graph.wait(lambda: health[-1].status[0].message == STALLED, 'word of the clock')
+    graph.wait(lambda: speed(commands[-1]) == 0.0, 'stop')
+    graph.call(SetBool, 'simulator_node/pause', SetBool.Request(data=False))
+    commands.clear()
+    graph.wait(lambda: commands and speed(commands[-1]) > 0.1, 'motion after the pause')
