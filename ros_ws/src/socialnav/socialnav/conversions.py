@@ -205,7 +205,7 @@ def goal_array(goal: PoseStamped, frame: str, locate: Locate = not_asked) -> np.
     :param frame: the frame that is wanted.
     :param locate: says where other frames lie in it.
     """
-    placement = placement_of('goal_pose', goal.header, frame, locate)
+    placement = placement_of('goal_pose', goal.header, frame, locate, newest=True)
     position = [goal.pose.position.x, goal.pose.position.y]
     return placement.placed(finite('goal_pose', 'position', position))
 

@@ -76,7 +76,7 @@ def plan_points(
     for pose in plan.poses:
         if pose.header.frame_id not in ('', plan.header.frame_id):
             raise ConversionError(f'plan: a pose in another frame, {pose.header.frame_id!r}')
-    placement = placement_of('plan', plan.header, frame, locate)
+    placement = placement_of('plan', plan.header, frame, locate, newest=True)
     places = [(one.pose.position.x, one.pose.position.y) for one in plan.poses]
     points = placement.placed(finite('plan', 'position', places))
     missing = float(np.hypot(*(points[-1] - goal)))

@@ -67,7 +67,7 @@ def test_what_moves_is_placed_at_its_stamp_and_what_stands_by_the_newest_placeme
     assert asked == {
         'frame of odom': ('odom', SECOND),
         'frame of pedestrians': ('odom', SECOND),
-        'frame of goal_pose': ('odom', SECOND),
+        'frame of goal_pose': ('odom', 0),
         'frame of obstacles': ('odom', 0),
     }
 
