@@ -14,7 +14,7 @@ from rclpy.qos import QoSProfile
 
 from socialnav.children import command_line
 
-DEADLINE = 20.0
+DEADLINE = 60.0
 """Time that anything may take before a test fails, s."""
 UNSEEN_MATCH = 0.3
 """Time that a server is given to hear of the reader of its answers, s."""
@@ -33,7 +33,7 @@ class Graph:
     def start(self, name: str, **parameters: object) -> subprocess.Popen:
         """Start a node of the package; it is killed at the end of the test at the latest."""
         process = subprocess.Popen(
-            ['timeout', '-k', '5', '120', *command_line(name, parameters)],
+            ['timeout', '-k', '30', '180', *command_line(name, parameters)],
             stderr=subprocess.PIPE, text=True, env=dict(os.environ), start_new_session=True,
         )  # fmt: skip
         self.processes.append(process)

