@@ -244,6 +244,23 @@ def test_render_writes_a_picture_and_says_what_is_in_it(suffix, tmp_path, capsys
     assert [path.name for path in file.parent.iterdir()] == [file.name]
 
 
+def test_render_writes_a_bag_and_no_picture_unless_that_is_wanted(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    words = ['render', 'straight_line', '--scenario', 'circle', '--bag', 'bags/episode.mcap']
+    assert run(*words) == 0
+    assert [path.name for path in tmp_path.rglob('*.*')] == ['episode.mcap']
+    assert 'bags/episode.mcap: ' in capsys.readouterr().out
+    assert run(*words, '--overwrite', '--out', 'episode.png') == 0
+    assert {path.name for path in tmp_path.rglob('*.*')} == {'episode.mcap', 'episode.png'}
+
+
+def test_render_refuses_a_bag_that_cannot_be_written_before_anything_is_run(failing, tmp_path):
+    words = ['render', 'orca', '--scenario', 'simple', '--bag']
+    assert 'must end in .mcap' in failing(2, *words, 'episode.db3')
+    (tmp_path / 'file').write_text('')
+    assert 'cannot be written' in failing(2, *words, 'file/episode.mcap')
+
+
 def test_render_keeps_an_existing_picture(failing, tmp_path):
     file = tmp_path / 'episode.png'
     file.write_text('mine')

@@ -63,6 +63,7 @@ def test_colcon_installs_the_core_with_its_configurations(tmp_path, options):
     assert place.is_relative_to(root if options else install)
     configurations = {path.name for path in (ROOT / 'socialnav_core' / 'configs').glob('*.yaml')}
     assert {path.name for path in (place.parent / 'configs').glob('*.yaml')} == configurations
+    assert (place.parent / 'evaluation' / 'ros2msg.txt').is_file()
     assert 'usage: socialnav' in run(install / 'socialnav_core/bin/socialnav', '-h', folder=root)
 
 

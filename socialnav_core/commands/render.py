@@ -1,6 +1,7 @@
-"""`socialnav render`: an episode as a moving picture, or its trajectories as one."""
+"""`socialnav render`: an episode as a moving picture, its trajectories as one, or a ROS 2 bag."""
 
 import argparse
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -16,9 +17,11 @@ from socialnav_core.config import ConfigError
 
 EXAMPLES = """orca --scenario hard --seed 7 --case 3
 sarl --scenario crowd20 --case 12 --out crossing.gif
-sarl --scenario curriculum-2.5 --case 0 --out paths.png"""
+sarl --scenario curriculum-2.5 --case 0 --out paths.png
+sarl --scenario hard --case 2 --bag episode.mcap"""
 
 FORMATS = ('.gif', '.mp4', '.png')
+BAG_FORMATS = ('.mcap',)
 
 
 def add_parser(commands: Any) -> None:
@@ -27,7 +30,10 @@ def add_parser(commands: Any) -> None:
 
     :param commands: what `add_subparsers` returned.
     """
-    summary = 'Run one case and show it: .gif and .mp4 move, .png shows the trajectories.'
+    summary = (
+        'Run one case and show it: .gif and .mp4 move, .png shows the trajectories; '
+        '--bag writes it as a ROS 2 bag.'
+    )
     parser = add_command(commands, 'render', run, summary, EXAMPLES)
     parser.add_argument(
         'model', metavar='MODEL', help='folder, name in models/, orca or straight_line'
@@ -37,7 +43,11 @@ def add_parser(commands: Any) -> None:
         '--case', type=whole_number, default=0, metavar='I', help='index of the case (0)'
     )
     parser.add_argument(
-        '--out', type=Path, metavar='FILE', help='(MODEL-SCENARIO-SEED-CASE.gif in out/render)'
+        '--out', type=Path, metavar='FILE',
+        help='picture (MODEL-SCENARIO-SEED-CASE.gif in out/render; with --bag alone, none)',
+    )  # fmt: skip
+    parser.add_argument(
+        '--bag', type=Path, metavar='FILE.mcap', help='the topics of the ROS 2 nodes (none)'
     )
     add_overwrite_option(parser)
 
@@ -52,21 +62,43 @@ def run(given: argparse.Namespace) -> None:
     from socialnav_core.evaluation.recording import summary
 
     name = Path(given.model).name
-    path = given.out or Path(
-        'out', 'render', f'{name}-{given.scenario}-{given.seed}-{given.case}.gif'
-    )
-    if path.suffix not in FORMATS:
-        raise ConfigError(f'{path} must end in one of {", ".join(FORMATS)}')
-    require_new(path, given)
+    paths = [path for path in (picture_path(given, name), given.bag) if path is not None]
+    for path in paths:
+        require_format(path, BAG_FORMATS if path is given.bag else FORMATS)
+        require_new(path, given)
+    scenario = chosen_scenario(given)
+    policy = open_policy(given.model, given)
+    recording = record(policy, scenario, given.seed, given.case, given.split, name)
+    for path in paths:
+        write(recording, path)
+        print(f'{path}: {summary(recording)}')
+
+
+def picture_path(given: argparse.Namespace, name: str) -> Path | None:
+    """
+    Return where the picture goes; None where only a bag is wanted.
+
+    :param given: parsed arguments.
+    :param name: of the model.
+    """
+    if given.out is not None or given.bag is not None:
+        return given.out
+    return Path('out', 'render', f'{name}-{given.scenario}-{given.seed}-{given.case}.gif')
+
+
+def require_format(path: Path, formats: tuple[str, ...]) -> None:
+    """
+    Raise a ConfigError unless a file can be written in the format that its suffix names.
+
+    :param path: of the file.
+    :param formats: suffixes to choose from.
+    """
+    if path.suffix not in formats:
+        raise ConfigError(f'{path} must end in {" or ".join(formats)}')
     if path.suffix == '.mp4':
         from socialnav_core.evaluation.animation import require_ffmpeg
 
         require_ffmpeg()
-    scenario = chosen_scenario(given)
-    policy = open_policy(given.model, given)
-    recording = record(policy, scenario, given.seed, given.case, given.split, name)
-    write(recording, path)
-    print(f'{path}: {summary(recording)}')
 
 
 def write(recording: Any, path: Path) -> None:
@@ -76,10 +108,7 @@ def write(recording: Any, path: Path) -> None:
     :param recording: the episode.
     :param path: of the file, whose folder is made if needed.
     """
-    from socialnav_core.evaluation.animation import write_gif, write_mp4
-    from socialnav_core.evaluation.plots import plot_recording
-
-    writer = {'.gif': write_gif, '.mp4': write_mp4, '.png': plot_recording}[path.suffix]
+    writer = writer_of(path.suffix)
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f'.{path.stem}.part{path.suffix}')
     try:
@@ -87,3 +116,19 @@ def write(recording: Any, path: Path) -> None:
         temporary.replace(path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def writer_of(suffix: str) -> Callable[[Any, Path], None]:
+    """
+    Return what writes a recording into a file.
+
+    :param suffix: of the file.
+    """
+    if suffix == '.mcap':
+        from socialnav_core.evaluation.bag import write_bag
+
+        return write_bag
+    from socialnav_core.evaluation.animation import write_gif, write_mp4
+    from socialnav_core.evaluation.plots import plot_recording
+
+    return {'.gif': write_gif, '.mp4': write_mp4, '.png': plot_recording}[suffix]

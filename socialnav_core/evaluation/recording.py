@@ -39,6 +39,12 @@ class Recording:
     """Attention to each agent in each state but the last, (agents,), where the policy has any."""
     closest: list[float] | None = None
     """Least gap to any agent during each step, m; computed from the states where it is absent."""
+    commands: list[np.ndarray] | None = None
+    """What the policy chose in each state but the last, (2,), where that is known; see Policy."""
+    kinematics: str = 'holonomic'
+    """Motion of the robot: holonomic or differential."""
+    goal_tolerance: float = 0.3
+    """Distance at which the goal counts as reached, m."""
 
     @property
     def times(self) -> np.ndarray:
@@ -143,18 +149,21 @@ def record(
     attach_oracle(policy, simulator.next_agent_velocities)
     attention: list[np.ndarray] = []
     closest: list[float] = []
+    commands: list[np.ndarray] = []
     ended = False
     while not ended:
         if hasattr(policy, 'attention'):
             attention.append(policy.attention(states[-1])[0])
-        _, _, terminated, truncated, info = simulator.step(policy.act(states[-1]))
+        commands.append(policy.act(states[-1])[0])
+        _, _, terminated, truncated, info = simulator.step(commands[-1][None])
         states.append(info['final_state'])
         closest.append(float(info['clearance'][0]))
         ended = bool(terminated[0] or truncated[0])
     outcome = Outcome(int(info['outcome'][0])).name.lower()
     return Recording(
-        states, scenario.name, seed, case_index, outcome, name, attention or None, closest
-    )
+        states, scenario.name, seed, case_index, outcome, name, attention or None, closest,
+        commands, scenario.kinematics, scenario.goal_tolerance,
+    )  # fmt: skip
 
 
 def require_same_kinematics(policy: Any, scenario: Scenario) -> None:

@@ -15,6 +15,8 @@ TOPICS = {
     'pedestrians': 'who walks near by',
     'obstacles': 'what stands near by',
     'goal_pose': 'where to go',
+    'plan': 'way to go there, from a planner',
+    'map': 'walls, with the parameter use_map',
 }
 """Topics of the node, by the name that it knows them by; each is an argument."""
 

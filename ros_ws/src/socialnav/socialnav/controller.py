@@ -10,7 +10,10 @@ import numpy as np
 from socialnav.controller_settings import ControllerSettings
 from socialnav.conversions import ConversionError, crowd_state, nearest_agents, rotate
 from socialnav.extrapolation import extrapolate
+from socialnav.frames import Locate, not_asked
+from socialnav.grids import grid_discs, with_discs
 from socialnav.inputs import Inputs
+from socialnav.plan import PlanFollower
 from socialnav.reasons import ARRIVED, STALLED
 from socialnav.runs import Run
 from socialnav.tally import Tally
@@ -53,6 +56,7 @@ class Controller:
         policy: Policy,
         settings: ControllerSettings,
         steady: Callable[[], float] = time.monotonic,
+        locate: Locate = not_asked,
     ) -> None:
         """
         Start without any input.
@@ -60,13 +64,16 @@ class Controller:
         :param policy: what chooses the velocity.
         :param settings: may be replaced at any time.
         :param steady: a clock that always runs, s.
+        :param locate: says where the frames of inputs lie.
         """
         self.settings = settings
         self.goal_reached = False
         self.tally = Tally()
         self.intention: Intention | None = None
+        self.plan = PlanFollower()
         self._policy = policy
         self._steady = steady
+        self._locate = locate
         self._inputs = Inputs()
         self._run = Run()
         self._latency = 0.0
@@ -77,7 +84,7 @@ class Controller:
         """
         Take an input.
 
-        :param name: odom, pedestrians, obstacles or goal_pose.
+        :param name: odom, pedestrians, obstacles, goal_pose, plan or map.
         :param message: of that topic.
         """
         self._inputs.store(name, message)
@@ -135,7 +142,7 @@ class Controller:
         self.goal_reached = self.goal_reached or bool(distance < self.settings.goal_tolerance)
         if self.goal_reached:
             return NO_COMMAND, ARRIVED
-        return self._drive(self._coming_state(state, now))
+        return self._drive(self._on_plan(self._coming_state(state, now), now))
 
     def _known_state(self, now: int) -> CrowdState:
         """Return the world as the inputs tell it, at their own times; begin a run if it is new."""
@@ -144,14 +151,36 @@ class Controller:
             self._inputs.newest, ('odom', 'pedestrians', 'obstacles', 'goal_pose')
         )
         state = crowd_state(
-            odometry, goal, pedestrians, obstacles, settings.body, settings.planning_frame
-        )
+            odometry, goal, pedestrians, obstacles, settings.body, settings.planning_frame,
+            locate=self._locate,
+        )  # fmt: skip
         moment = self._inputs.stamp('odom') if settings.lockstep else now
         if self._run.begins(goal, moment, 1.5 * settings.period if settings.lockstep else None):
             self.goal_reached = False
             self._policy.reset()
         state.time[:] = self._run.time
-        return nearest_agents(state, settings.max_agents)
+        return self._with_map(nearest_agents(state, settings.max_agents))
+
+    def _with_map(self, state: CrowdState) -> CrowdState:
+        """Return the state with what the map shows near the robot, where that is wanted."""
+        if not self.settings.use_map:
+            return state
+        grid, frame = self._inputs.newest('map'), self.settings.planning_frame
+        return with_discs(state, *grid_discs(grid, state.robot_position[0], frame, self._locate))
+
+    def _on_plan(self, state: CrowdState, now: int) -> CrowdState:
+        """Return the state with the next point of the plan for its goal, where there is a plan."""
+        settings = self.settings
+        point = self.plan.heading_point(
+            self._inputs.newest('plan'),
+            state.robot_position[0],
+            state.robot_goal[0],
+            settings.plan_lookahead_distance,
+            settings.planning_frame,
+            self._locate,
+            self._inputs.plan_complaint(now, settings),
+        )
+        return dataclasses.replace(state, robot_goal=np.asarray(point)[None])
 
     def _coming_state(self, state: CrowdState, now: int) -> CrowdState:
         """Return the state at the moment when a command that is chosen now takes effect."""

@@ -36,6 +36,12 @@ class ControllerSettings:
     """Whether the robot stands until obstacles have come."""
     stop_publish_timeout: float = 10.0
     """Time of nothing but stops after which nothing is published, s; 0 for never."""
+    use_map: bool = False
+    """Whether occupied cells of the map are obstacles."""
+    plan_lookahead_distance: float = 2.0
+    """Way along a plan from the robot to the point that it heads for, m."""
+    plan_timeout: float = 0.0
+    """Age of a plan at which it is not followed any more, s; 0 for never."""
     lockstep: bool = False
     """Whether the world waits for each decision."""
 
@@ -66,7 +72,8 @@ def real_time_settings(values: dict[str, Any]) -> ControllerSettings:
     """
     same_name = (
         'kinematics', 'goal_tolerance', 'max_agents', 'planning_frame', 'input_timeout',
-        'obstacles_timeout', 'require_obstacles', 'stop_publish_timeout',
+        'obstacles_timeout', 'require_obstacles', 'stop_publish_timeout', 'use_map',
+        'plan_lookahead_distance', 'plan_timeout',
     )  # fmt: skip
     limits = (values[name] for name in ('max_speed', 'max_acceleration', 'max_turn_rate'))
     period = 1 / values['controller_frequency']

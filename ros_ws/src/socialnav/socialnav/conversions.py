@@ -8,7 +8,8 @@ from nav_msgs.msg import Odometry
 import numpy as np
 from std_msgs.msg import Header
 
-from socialnav.stamps import header_message
+from socialnav.frames import HERE, Locate, not_asked, Placement
+from socialnav.stamps import header_message, nanoseconds_of
 from socialnav_core.states import CrowdState
 from socialnav_msgs.msg import AgentState, AgentStates
 
@@ -142,6 +143,7 @@ def crowd_state(
     body: RobotBody,
     frame: str,
     time: float = 0.0,
+    locate: Locate = not_asked,
 ) -> CrowdState:
     """
     Return the world as the messages tell it, pedestrians first; batch of one.
@@ -151,13 +153,14 @@ def crowd_state(
     :param pedestrians: whoever walks.
     :param obstacles: whatever stands; None for none.
     :param body: the robot itself.
-    :param frame: the frame that everything must be in.
+    :param frame: the frame of the state.
     :param time: since the start of the run, s.
+    :param locate: says where other frames lie in it.
     :raises ConversionError: a foreign frame, or a number that cannot be.
     """
-    position, velocity, heading = robot_arrays(odometry, frame)
-    walking = agent_arrays('pedestrians', pedestrians, frame, static=False)
-    standing = agent_arrays('obstacles', obstacles, frame, static=True)
+    position, velocity, heading = robot_arrays(odometry, frame, locate)
+    walking = agent_arrays('pedestrians', pedestrians, frame, static=False, locate=locate)
+    standing = agent_arrays('obstacles', obstacles, frame, static=True, locate=locate)
     agents = [np.concatenate(pair)[None] for pair in zip(walking, standing, strict=True)]
     return CrowdState(
         robot_position=position[None],
@@ -165,7 +168,7 @@ def crowd_state(
         robot_heading=np.array([heading]),
         robot_radius=np.array([float(body.radius)]),
         robot_preferred_speed=np.array([float(body.preferred_speed)]),
-        robot_goal=goal_array(goal, frame)[None],
+        robot_goal=goal_array(goal, frame, locate)[None],
         position=agents[0],
         velocity=agents[1],
         radius=agents[2],
@@ -176,46 +179,57 @@ def crowd_state(
     )
 
 
-def robot_arrays(odometry: Odometry, frame: str) -> tuple[np.ndarray, np.ndarray, float]:
+def robot_arrays(
+    odometry: Odometry, frame: str, locate: Locate = not_asked
+) -> tuple[np.ndarray, np.ndarray, float]:
     """
     Return position (2,) and velocity (2,) in the world, and heading.
 
     :param odometry: its twist is in the robot's own frame.
-    :param frame: the frame that its pose must be in.
+    :param frame: the frame of the world.
+    :param locate: says where other frames lie in it.
     """
-    check_frame('odom', odometry.header, frame)
+    placement = placement_of('odom', odometry.header, frame, locate)
     pose, linear = odometry.pose.pose, odometry.twist.twist.linear
-    heading = heading_of('odom', pose.orientation)
+    heading = heading_of('odom', pose.orientation) + placement.heading
     position = finite('odom', 'position', [pose.position.x, pose.position.y])
     velocity = finite('odom', 'velocity', [linear.x, linear.y])
-    return position, rotate(velocity, heading), heading
+    return placement.placed(position), rotate(velocity, heading), heading
 
 
-def goal_array(goal: PoseStamped, frame: str) -> np.ndarray:
+def goal_array(goal: PoseStamped, frame: str, locate: Locate = not_asked) -> np.ndarray:
     """
     Return the place to go to, (2,).
 
     :param goal: a pose; only its position matters.
-    :param frame: the frame that it must be in.
+    :param frame: the frame that is wanted.
+    :param locate: says where other frames lie in it.
     """
-    check_frame('goal_pose', goal.header, frame)
-    return finite('goal_pose', 'position', [goal.pose.position.x, goal.pose.position.y])
+    placement = placement_of('goal_pose', goal.header, frame, locate, newest=True)
+    position = [goal.pose.position.x, goal.pose.position.y]
+    return placement.placed(finite('goal_pose', 'position', position))
 
 
 def agent_arrays(
-    name: str, message: AgentStates | None, frame: str, static: bool
+    name: str,
+    message: AgentStates | None,
+    frame: str,
+    static: bool,
+    locate: Locate = not_asked,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """
     Return position (agents, 2), velocity (agents, 2), radius (agents,) and static (agents,).
 
     :param name: the input, for errors.
     :param message: the agents; None for none.
-    :param frame: the frame that they must be in.
+    :param frame: the frame that is wanted.
     :param static: whether they stand for ever; a velocity is not read then.
+    :param locate: says where other frames lie in it.
     """
-    agents = [] if message is None else message.agents
+    agents, placement = [], HERE
     if message is not None:
-        check_frame(name, message.header, frame)
+        agents = message.agents
+        placement = placement_of(name, message.header, frame, locate, newest=static)
     position = finite(name, 'position', [(one.position.x, one.position.y) for one in agents])
     velocity = np.zeros((len(agents), 2))
     if not static:
@@ -224,21 +238,31 @@ def agent_arrays(
     radius = finite(name, 'radius', [one.radius for one in agents])
     if (radius < 0).any():
         raise ConversionError(f'{name}: negative radius ({radius.min():g} m)')
-    return position.reshape(-1, 2), velocity, radius, np.full(len(agents), static)
+    position, velocity = placement.placed(position.reshape(-1, 2)), placement.turned(velocity)
+    return position, velocity, radius, np.full(len(agents), static)
 
 
-def check_frame(name: str, header: Header, frame: str) -> None:
+def placement_of(
+    name: str, header: Header, frame: str, locate: Locate, newest: bool = False
+) -> Placement:
     """
-    Raise a ConversionError for a message in another frame.
+    Return where the frame of a message lies in the one that is wanted.
 
     :param name: the input, for the error.
     :param header: of the message.
-    :param frame: the one it must be in.
+    :param frame: the frame that is wanted.
+    :param locate: says where other frames lie in it.
+    :param newest: whether the newest placement counts, since what the message tells stands still
+        and may have been told long ago; otherwise that at its stamp.
+    :raises ConversionError: a frame that nobody knows.
     """
-    if header.frame_id != frame:
-        raise ConversionError(
-            f'{name}: in frame {header.frame_id!r}, but everything must be in {frame!r}'
-        )
+    if header.frame_id == frame:
+        return HERE
+    try:
+        return locate(frame, header.frame_id, 0 if newest else nanoseconds_of(header.stamp))
+    except LookupError as error:
+        text = f'{name}: in frame {header.frame_id!r}, but {error}'
+        raise ConversionError(text) from error
 
 
 def finite(name: str, quantity: str, numbers: list) -> np.ndarray:

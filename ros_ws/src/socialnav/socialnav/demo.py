@@ -1,4 +1,4 @@
-"""The nodes as processes for some episodes, with a summary and a picture at the end."""
+"""The nodes as processes for some episodes, with a summary, a picture and a bag of them."""
 
 import argparse
 import os
@@ -11,6 +11,7 @@ import rclpy
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.signals import SignalHandlerOptions
 
+from socialnav.bag import open_bag
 from socialnav.children import Nodes, running_nodes
 from socialnav.demo_graph import node_parameters, node_topics, TRUTH
 from socialnav.demo_node import DemoNode
@@ -22,6 +23,8 @@ from socialnav_core.simulation import make_scenario
 
 SILENCE = 60.0
 """Time without a new state after which the demo gives up, s."""
+BACKLOG = 0.5
+"""Time without any message of the world after which all of them have been heard, s."""
 INTERRUPTED = 130
 EXAMPLES = """examples:
   ros2 run socialnav demo
@@ -43,7 +46,7 @@ def main() -> None:
     rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
     try:
         run_demo(options)
-    except DemoError as error:
+    except (DemoError, OSError) as error:
         sys.exit(f'error: {error}')
     except KeyboardInterrupt:
         sys.exit(INTERRUPTED)
@@ -99,12 +102,15 @@ def run_demo(options: argparse.Namespace) -> None:
 
     :param options: of the command line.
     :raises DemoError: a node died, nothing came for a minute, or the robot never moved.
+    :raises OSError: the folder cannot be written.
     """
     options.out.mkdir(parents=True, exist_ok=True)
-    listener = DemoNode(TRUTH if options.sensors else {})
     graph = node_parameters(options), os.environ, node_topics(options)
-    with running_nodes(*graph) as nodes:
-        listen(listener, nodes, options.episodes)
+    with open_bag(options.out / 'episodes.mcap') as bag:
+        topics = TRUTH if options.sensors else {}
+        listener = DemoNode(bag, topics, lockstep=not options.real_time)
+        with running_nodes(*graph) as nodes:
+            listen(listener, nodes, options.episodes)
     results = listener.results[: options.episodes]
     print(f'\n{table(results)}', flush=True)
     if options.real_time:
@@ -113,7 +119,8 @@ def run_demo(options: argparse.Namespace) -> None:
     if not any(result.path_length for result in results):
         raise DemoError('the robot never moved: nothing was decided')
     write_picture(listener, options)
-    print(f'written: {options.out}/episodes.json, {options.out}/episode.gif')
+    names = ('episodes.json', 'episodes.mcap', 'episode.gif')
+    print(f'written: {", ".join(str(options.out / name) for name in names)}')
 
 
 def listen(listener: DemoNode, nodes: Nodes, episodes: int) -> None:
@@ -140,6 +147,8 @@ def listen(listener: DemoNode, nodes: Nodes, episodes: int) -> None:
             raise DemoError(f'policy_node: {listener.problem}')
         if time.monotonic() - listener.latest_progress > SILENCE:
             raise DemoError(f'nothing new for {SILENCE:g} s')
+    while time.monotonic() - listener.latest_message < BACKLOG:  # results overtake states
+        executor.spin_once(timeout_sec=0.1)
     executor.shutdown()
 
 

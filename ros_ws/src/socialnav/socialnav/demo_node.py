@@ -6,11 +6,13 @@ import time
 from typing import Any
 
 from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import PoseStamped
+from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from nav_msgs.msg import Odometry
 from rclpy.node import Node
+from visualization_msgs.msg import MarkerArray
 
 from socialnav import qos
+from socialnav.bag import Bag
 from socialnav.diagnostics import is_unusable
 from socialnav.episode_recorder import EpisodeRecorder
 from socialnav_msgs.msg import AgentStates, EpisodeResult
@@ -19,16 +21,19 @@ from socialnav_msgs.msg import AgentStates, EpisodeResult
 class DemoNode(Node):
     """Listens to everything that an episode consists of."""
 
-    def __init__(self, topics: Mapping[str, str]) -> None:
+    def __init__(self, bag: Bag, topics: Mapping[str, str], lockstep: bool) -> None:
         """
         Subscribe.
 
+        :param bag: takes all that is heard but diagnostics.
         :param topics: other names of topics.
+        :param lockstep: whether commands have stamps.
         """
         super().__init__('demo')
+        self.bag = bag
         self.recorder = EpisodeRecorder()
         self.results: list[EpisodeResult] = []
-        self.latest_progress = time.monotonic()
+        self.latest_progress = self.latest_message = time.monotonic()
         self.problem: str | None = None
         self.facts: dict[str, str] = {}
         for name, kind, profile in (
@@ -38,7 +43,12 @@ class DemoNode(Node):
             ('obstacles', AgentStates, qos.LATCHED_RECORDING),
         ):
             topic = topics.get(name, name)
-            self.create_subscription(kind, topic, partial(self.on_input, name), profile)
+            self.create_subscription(kind, topic, partial(self.on_input, name, topic), profile)
+        for name, kind, profile in (
+            ('cmd_vel', TwistStamped if lockstep else Twist, qos.RECORDING),
+            ('markers', MarkerArray, qos.RECORDING),
+        ):
+            self.create_subscription(kind, name, partial(bag.write, f'/{name}'), profile)
         self.create_subscription(
             EpisodeResult, 'episode_result', self.on_result, qos.LATCHED_RECORDING
         )
@@ -46,15 +56,18 @@ class DemoNode(Node):
             DiagnosticArray, '/diagnostics', self.on_diagnostics, qos.DIAGNOSTICS
         )
 
-    def on_input(self, name: str, message: Any) -> None:
+    def on_input(self, name: str, topic: str, message: Any) -> None:
         """
         Store a part of a state.
 
-        :param name: its topic.
+        :param name: which part.
+        :param topic: where it was heard.
         :param message: it has a header.
         """
+        self.latest_message = time.monotonic()
+        self.bag.write(f'/{topic}', message)
         if self.recorder.store(name, message):
-            self.latest_progress = time.monotonic()
+            self.latest_progress = self.latest_message
 
     def on_result(self, result: EpisodeResult) -> None:
         """
@@ -62,6 +75,7 @@ class DemoNode(Node):
 
         :param result: of the episode.
         """
+        self.bag.write('/episode_result', result)
         self.recorder.store_result(result)
         self.results.append(result)
 

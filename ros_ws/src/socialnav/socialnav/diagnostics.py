@@ -56,16 +56,20 @@ def level_of(state: str, reason: str | None) -> bytes:
     return DiagnosticStatus.WARN
 
 
-def controller_facts(model: str, ages: dict[str, float], tally: Tally) -> dict[str, str]:
+def controller_facts(
+    model: str, plan: str, ages: dict[str, float], tally: Tally
+) -> dict[str, str]:
     """
     Return what is known of a controller, by name.
 
     :param model: its name.
+    :param plan: whether one is followed.
     :param ages: of its inputs, s.
     :param tally: what it has counted.
     """
     return {
         'model': model,
+        'plan': plan,
         **{f'age of {name} [s]': f'{age:.2f}' for name, age in ages.items()},
         'decisions': str(tally.decisions),
         'late decisions': str(tally.late),

@@ -6,7 +6,7 @@ import time
 from typing import Any
 
 from geometry_msgs.msg import PoseStamped
-from nav_msgs.msg import Odometry
+from nav_msgs.msg import OccupancyGrid, Odometry, Path
 from rclpy.lifecycle import LifecycleNode
 from rclpy.timer import Timer
 from std_srvs.srv import Trigger
@@ -15,10 +15,12 @@ from socialnav import qos
 from socialnav.controller import Controller
 from socialnav.controller_settings import controller_settings
 from socialnav.diagnostics import controller_facts
+from socialnav.frames import not_asked
 from socialnav.models import ready_policy
 from socialnav.parameters import fixed_values, POLICY_PARAMETERS
 from socialnav.policy_outputs import PolicyOutputs
 from socialnav.punctuality import Punctuality
+from socialnav.transforms import Transforms
 from socialnav.watchdog import Watchdog
 from socialnav_msgs.msg import AgentStates
 
@@ -39,7 +41,9 @@ class Driver:
         """
         self.made_for = fixed_values(POLICY_PARAMETERS, values)
         settings = controller_settings(values)
-        self.controller = Controller(ready_policy(values, settings), settings)
+        self.transforms = Transforms(node)
+        locate = not_asked if settings.lockstep else self.transforms.locate
+        self.controller = Controller(ready_policy(values, settings), settings, locate=locate)
         self.running = False
         self.lockstep = settings.lockstep
         self.node = node
@@ -52,14 +56,19 @@ class Driver:
     def create_inputs(self) -> None:
         """Make the subscriptions."""
         moving = qos.LOCKSTEP_INPUT if self.lockstep else qos.SENSOR_INPUT
+        inputs = [
+            ('odom', Odometry, moving),
+            ('pedestrians', AgentStates, moving),
+            ('obstacles', AgentStates, qos.OBSTACLES),
+            ('goal_pose', PoseStamped, qos.GOAL),
+        ]
+        if not self.lockstep:
+            inputs.append(('plan', Path, qos.PLAN))
+        if self.controller.settings.use_map:
+            inputs.append(('map', OccupancyGrid, qos.MAP))
         self.subscriptions = [
             self.node.create_subscription(kind, name, partial(self.on_input, name), profile)
-            for name, kind, profile in (
-                ('odom', Odometry, moving),
-                ('pedestrians', AgentStates, moving),
-                ('obstacles', AgentStates, qos.OBSTACLES),
-                ('goal_pose', PoseStamped, qos.GOAL),
-            )
+            for name, kind, profile in inputs
         ]
         self.cancelling = self.node.create_service(Trigger, '~/cancel_goal', self.on_cancel)
 
@@ -106,8 +115,9 @@ class Driver:
             self.node.destroy_subscription(subscription)
         self.outputs.close()
         self.node.destroy_service(self.cancelling)
+        self.transforms.close()
 
-    def on_input(self, name: str, message: Odometry | AgentStates | PoseStamped) -> None:
+    def on_input(self, name: str, message: Any) -> None:
         """
         Store a message; in lockstep, decide when it completes a state.
 
@@ -151,7 +161,9 @@ class Driver:
     def facts(self) -> dict[str, str]:
         """Return what diagnostics tell."""
         ages = self.controller.input_ages(self.node.get_clock().now().nanoseconds)
-        facts = controller_facts(self.made_for['model'], ages, self.controller.tally)
+        controller = self.controller
+        model, plan = self.made_for['model'], controller.plan.note
+        facts = controller_facts(model, plan, ages, controller.tally)
         return facts | self.punctuality.facts()
 
 

@@ -8,6 +8,8 @@ from socialnav.controller_settings import ControllerSettings
 from socialnav.stamps import nanoseconds_of
 
 NAMES = ('odom', 'pedestrians', 'obstacles', 'goal_pose')
+OPTIONAL = ('plan', 'map')
+"""Inputs that a state in lockstep does not have."""
 AGEING = ('odom', 'pedestrians')
 
 
@@ -27,13 +29,14 @@ class Inputs:
         """
         Keep a message in place of the earlier one; a goal that was cancelled does not come back.
 
-        :param name: one of NAMES.
+        :param name: one of NAMES or OPTIONAL.
         :param message: it has a header.
         """
         if name == 'goal_pose' and message == self._cancelled:
             return
         self._newest[name] = message
-        self._unread.add(name)
+        if name in NAMES:
+            self._unread.add(name)
 
     def cancel_goal(self) -> bool:
         """Forget the goal; return whether there was one."""
@@ -47,13 +50,14 @@ class Inputs:
 
         :param now: ns, on the clock of the stamps.
         """
-        return {name: (now - self.stamp(name)) * 1e-9 for name in NAMES if name in self._newest}
+        known = [name for name in (*NAMES, *OPTIONAL) if name in self._newest]
+        return {name: (now - self.stamp(name)) * 1e-9 for name in known}
 
     def newest(self, name: str) -> Any:
         """
         Return the newest message of an input, or None.
 
-        :param name: one of NAMES.
+        :param name: one of NAMES or OPTIONAL.
         """
         return self._newest.get(name)
 
@@ -86,6 +90,8 @@ class Inputs:
                 return f'no {name}'
         if settings.require_obstacles and 'obstacles' not in self._newest:
             return 'no obstacles'
+        if settings.use_map and 'map' not in self._newest:
+            return 'no map'
         if settings.lockstep:
             return None
         timeouts = dict.fromkeys(AGEING, settings.input_timeout)
@@ -94,6 +100,17 @@ class Inputs:
         ages = self.ages(now)
         complaints = (age_complaint(name, ages[name], timeouts[name]) for name in timeouts)
         return next(filter(None, complaints), None)
+
+    def plan_complaint(self, now: int, settings: ControllerSettings) -> str | None:
+        """
+        Return why the plan cannot be followed, or None where it is fresh or does not age.
+
+        :param now: ns, on the clock of the stamps.
+        :param settings: time-out of plans.
+        """
+        if settings.plan_timeout == 0 or 'plan' not in self._newest:
+            return None
+        return age_complaint('plan', self.ages(now)['plan'], settings.plan_timeout)
 
 
 def age_complaint(name: str, age: float, timeout: float) -> str | None:

@@ -1,5 +1,6 @@
 """From the name of a model to a policy that is ready to decide."""
 
+import dataclasses
 import os
 from pathlib import Path
 import re
@@ -12,7 +13,7 @@ import torch
 from socialnav.controller_settings import ControllerSettings
 from socialnav.conversions import RobotBody
 from socialnav_core.config import ConfigError
-from socialnav_core.policies import load_policy, Policy
+from socialnav_core.policies import load_policy, Policy, ValuePolicy
 from socialnav_core.states import CrowdState
 
 BASELINES = ('orca', 'straight_line')
@@ -41,9 +42,33 @@ def ready_policy(values: dict[str, Any], settings: ControllerSettings) -> Policy
             f'model {values["model"]} drives a {policy.kinematics} robot, not a '
             f'{settings.kinematics} one: change the parameter kinematics or the model'
         )
+    equip(policy, values)
     policy.act(example_state(settings.body))
     policy.reset()
     return policy
+
+
+def equip(policy: Policy, values: dict[str, Any]) -> None:
+    """
+    Give a policy the screening horizon and the device that are asked for.
+
+    :param policy: has just been loaded.
+    :param values: all parameters of the policy node.
+    :raises ConfigError: a policy without a network is asked for either, or there is no GPU.
+    """
+    horizon, on_gpu = values['screening_horizon'], values['device'] == 'cuda'
+    if not isinstance(policy, ValuePolicy):
+        if horizon or on_gpu:
+            raise ConfigError(
+                f'{values["model"]} has no network: leave screening_horizon at 0 and device at cpu'
+            )
+        return
+    if on_gpu and not torch.cuda.is_available():
+        raise ConfigError('device cuda needs a CUDA GPU and a CUDA build of torch; use cpu')
+    policy.network.to(values['device'])
+    if horizon:
+        screening = dataclasses.replace(policy.config.screening, horizon=horizon)
+        policy.config = dataclasses.replace(policy.config, screening=screening)
 
 
 def installed(model: str) -> str:

@@ -85,6 +85,10 @@ POLICY_PARAMETERS = (
         'refuse actions after which a collision is certain; checkpoint: as saved',
         choices=('checkpoint', 'enabled', 'disabled'), live='inactive',
     ),
+    Entry(
+        'screening_horizon', 0.0, 'how long the way of escape must stay free; 0: as saved',
+        's', (0.0, 10.0), live='inactive',
+    ),
     Entry('lockstep', False, 'decide once per state of a simulator in lockstep', live='inactive'),
     Entry(
         'scenario', 'hard', 'world that gives radius, speed and bounds in lockstep',
@@ -102,6 +106,18 @@ POLICY_PARAMETERS = (
         's', (0.0, 3600.0), live='yes',
     ),
     Entry('require_obstacles', False, 'stand until obstacles have come', live='yes'),
+    Entry(
+        'use_map', False, 'occupied cells of the map near the robot are obstacles; stand without',
+        live='inactive',
+    ),
+    Entry(
+        'plan_lookahead_distance', 2.0, 'way along a plan to the point that is headed for',
+        'm', (0.1, 100.0), live='yes',
+    ),
+    Entry(
+        'plan_timeout', 0.0, 'age of a plan at which the goal itself is headed for; 0: never',
+        's', (0.0, 3600.0), live='yes',
+    ),
     Entry(
         'stop_publish_timeout', 10.0, 'go silent after nothing but stops for so long; 0: never',
         's', (0.0, 3600.0), live='yes',
@@ -124,10 +140,17 @@ POLICY_PARAMETERS = (
         'm', (0.01, 5.0), live='yes',
     ),
     Entry('max_agents', 20, 'only the nearest so many agents count', '', (1, 1000), live='yes'),
-    Entry('planning_frame', 'odom', 'frame that all inputs must be in', live='inactive'),
+    Entry(
+        'planning_frame', 'odom', 'frame of decisions; inputs in others need tf2_ros',
+        live='inactive',
+    ),
     Entry('base_frame', 'base_link', 'frame of stamped commands', live='inactive'),
     Entry(
         'enable_stamped_cmd_vel', False, 'TwistStamped instead of Twist; lockstep always does',
+        live='inactive',
+    ),
+    Entry(
+        'device', 'cpu', 'where the network is computed', choices=('cpu', 'cuda'),
         live='inactive',
     ),
     Entry('threads', 1, 'threads of a decision', '', (1, 64), live='inactive'),

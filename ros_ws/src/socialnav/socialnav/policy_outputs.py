@@ -16,6 +16,7 @@ from socialnav import qos
 from socialnav.commands import stamped_twist_message, twist_message
 from socialnav.controller import Controller, Decision, NO_COMMAND
 from socialnav.intentions import attention_markers, predicted_path
+from socialnav.plan import FOLLOWED, NO_PLAN
 from socialnav.reasons import ARRIVED, UNDECIDED
 
 LAST_WORD = Duration(nanoseconds=500_000_000)
@@ -46,6 +47,7 @@ class PolicyOutputs:
         self.reason: str | None = UNDECIDED
         self.goal_reached: bool | None = None
         self.latest_command = 0.0
+        self.plan_note = NO_PLAN
         self.base_frame = values['base_frame']
         self.lockstep = controller.settings.lockstep
         self.stamped = self.lockstep or values['enable_stamped_cmd_vel']
@@ -78,6 +80,7 @@ class PolicyOutputs:
         if decision.publish:
             self.send(decision)
         self.report(decision.reason)
+        self.report_plan(self.controller.plan.note)
         if self.goal_reached != self.controller.goal_reached:
             self.goal_reached = self.controller.goal_reached
             self.arrivals.publish(Bool(data=self.goal_reached))
@@ -119,6 +122,16 @@ class PolicyOutputs:
         if reason != self.reason:
             self.reason = reason
             self.on_change()
+
+    def report_plan(self, note: str) -> None:
+        """
+        Say why a plan is not followed, when that changes.
+
+        :param note: of the plan.
+        """
+        if note not in (NO_PLAN, FOLLOWED, self.plan_note):
+            self.node.get_logger().warning(f'{note}; heading for the goal itself')
+        self.plan_note = note
 
     def send(self, decision: Decision) -> None:
         """

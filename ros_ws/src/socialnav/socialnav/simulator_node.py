@@ -23,6 +23,7 @@ from socialnav.running import run
 from socialnav.simulated_sensors import SimulatedSensors
 from socialnav.simulator_settings import simulator_settings
 from socialnav.stamps import nanoseconds_of, time_message
+from socialnav.transform_publisher import transform_publisher
 from socialnav.world import World
 from socialnav.world_messages import moving_messages, result_message, standing_messages
 from socialnav_msgs.msg import AgentStates, EpisodeResult
@@ -79,6 +80,7 @@ class SimulatorNode(Node):
         self.markers = self.create_publisher(MarkerArray, 'markers', qos.MARKERS)
         self.results = self.create_publisher(EpisodeResult, 'episode_result', qos.EPISODE_RESULT)
         self.sensors = SimulatedSensors(self, self.values, self.frames)
+        self.transforms = transform_publisher(self, self.frames, self.stamp())
         self.clocks = None
         if self.settings.publish_clock:
             self.clocks = self.create_publisher(ClockMessage, '/clock', qos.CLOCK)
@@ -238,8 +240,11 @@ class SimulatorNode(Node):
             self.publish({'map': map_message(state, stamp, self.frames.map)})
         if self.world.fresh or self.lockstep:
             self.publish(standing_messages(self.world, stamp, self.frames))
-        self.publish(moving_messages(self.world, stamp, self.frames))
+        moving = moving_messages(self.world, stamp, self.frames)
+        self.publish(moving)
         self.sensors.publish(self.world, stamp)
+        if self.transforms is not None:
+            self.transforms.publish(moving['odom'])
         if self.markers.get_subscription_count():
             tolerance = self.world.scenario.goal_tolerance
             self.markers.publish(world_markers(state, tolerance, stamp, self.frames.odom))

@@ -16,7 +16,7 @@ from shared_memory import owned_files, remove
 
 from socialnav.children import command_line
 
-DEADLINE = 40.0
+DEADLINE = 60.0
 """Time that anything may take before a test fails, s."""
 LIFETIME = 300.0
 """Time after which a process ends whatever became of the test, s."""

@@ -89,7 +89,8 @@ def test_a_cancelled_goal_stops_the_robot_until_there_is_another(graph, health, 
     drives(graph, commands)
     assert graph.call(Trigger, 'policy_node/cancel_goal', Trigger.Request()).success
     status = health.wait('no goal_pose')
-    assert status.level == DiagnosticStatus.OK and speed(commands[-1]) == 0.0
+    assert status.level == DiagnosticStatus.OK
+    graph.wait(lambda: speed(commands[-1]) == 0.0, 'stop')
     assert not graph.call(Trigger, 'policy_node/cancel_goal', Trigger.Request()).success
     graph.kill(simulator)
     graph.start('simulator_node')

@@ -1,23 +1,30 @@
-"""Laws of the parameter `model`; no middleware is needed for them."""
+"""Laws of the parameters that a policy is made from; no middleware is needed for them."""
 
 from pathlib import Path
 import shutil
 
 from ament_index_python.packages import get_package_share_directory
+import numpy as np
 import pytest
+import torch
 
 from socialnav.controller_settings import real_time_settings
-from socialnav.models import installed, ready_policy
+from socialnav.models import example_state, installed, ready_policy
 from socialnav.parameters import DEFAULT_MODEL, POLICY_PARAMETERS
 
 SHARE = Path(get_package_share_directory('socialnav')) / 'models'
 VALUES = {entry.name: entry.default for entry in POLICY_PARAMETERS}
 
 
+def policy_of(**changes):
+    """Return the policy of a node with some parameters."""
+    values = VALUES | changes
+    return ready_policy(values, real_time_settings(values))
+
+
 def load(model):
     """Return what a node would drive by."""
-    values = VALUES | {'model': str(model)}
-    return ready_policy(values, real_time_settings(values))
+    return policy_of(model=str(model))
 
 
 def test_a_name_is_that_of_a_model_of_the_package_wherever_the_node_was_started(
@@ -50,3 +57,30 @@ def test_whatever_is_no_checkpoint_is_one_line_about_what_could_be_given(name):
     with pytest.raises(ValueError, match='no model') as error:
         load(name)
     assert '\n' not in str(error.value)
+
+
+def test_the_horizon_of_screening_is_as_saved_unless_another_is_asked_for():
+    saved = policy_of().config.screening
+    longer = policy_of(screening_horizon=2.5).config.screening
+    assert longer.horizon == 2.5 != saved.horizon
+    assert (longer.margin, longer.enabled) == (saved.margin, saved.enabled)
+
+
+@pytest.mark.parametrize('parameter', [{'screening_horizon': 1.0}, {'device': 'cuda'}])
+def test_a_policy_without_a_network_is_not_asked_for_what_networks_have(parameter):
+    with pytest.raises(ValueError, match='orca has no network'):
+        policy_of(model='orca', **parameter)
+
+
+@pytest.mark.skipif(torch.cuda.is_available(), reason='there is a CUDA GPU')
+def test_without_a_gpu_there_is_one_line_and_no_slower_device_instead():
+    with pytest.raises(ValueError, match='use cpu'):
+        policy_of(device='cuda')
+
+
+@pytest.mark.skipif(not torch.cuda.is_available(), reason='needs a CUDA GPU')
+def test_a_gpu_decides_as_the_processor_does():
+    policy = policy_of(device='cuda')
+    assert {parameter.device.type for parameter in policy.network.parameters()} == {'cuda'}
+    state = example_state(real_time_settings(VALUES).body)
+    np.testing.assert_array_equal(policy.act(state), policy_of().act(state))

@@ -1,18 +1,26 @@
 """Laws of the policy node, over the middleware."""
 
+import dataclasses
 import math
 import signal
 
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from graph import DEADLINE
 from managed import change_parameter
-from nav_msgs.msg import Odometry
+from nav_msgs.msg import OccupancyGrid, Odometry, Path
+import numpy as np
 import pytest
 from robot import Robot, speed
 from std_msgs.msg import Bool
+from std_srvs.srv import SetBool
+from test_plan import plan_of
 from worlds import random_state
 
 from socialnav import qos
+from socialnav.occupancy import map_message
+from socialnav.reasons import STALLED
+from socialnav.stamps import nanoseconds_of
 
 
 @pytest.fixture
@@ -138,3 +146,74 @@ def test_a_wrong_parameter_is_one_line_and_exit_code_1(graph, name, parameters, 
     _, errors = process.communicate(timeout=DEADLINE)
     assert process.returncode == 1
     assert text in errors and errors.startswith(name) and errors.count('\n') == 1
+
+
+def test_the_robot_leaves_the_straight_way_to_follow_a_plan_and_says_so(graph):
+    commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+    health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
+    plans = graph.node.create_publisher(Path, 'plan', qos.PLAN)
+    graph.start('policy_node', model='straight_line')
+    robot, state = Robot(graph), random_state(0, pedestrians=0, obstacles=0)
+    robot.wait()
+    graph.wait(plans.get_subscription_count, 'subscriber of the plan')
+    state.robot_heading[:], state.robot_velocity[:] = 0.0, 0.0
+    state.robot_goal[:] = state.robot_position + [[5.0, 0.0]]
+    start, goal = state.robot_position[0], state.robot_goal[0]
+    detour, elsewhere = [start, start + (0.0, 4.0), goal], [start, goal + (0.0, 4.0)]
+    for corners, note, direction in (
+        (detour, 'followed', (0.0, 1.0)),
+        (elsewhere, 'ignored: plan: it ends 4.00 m from the goal', (1.0, 0.0)),
+    ):
+        plans.publish(plan_of(corners, stamp=0))
+
+        def as_wanted(note=note, direction=direction):
+            robot.publish(state)
+            graph.spin(0.05)
+            facts = {one.key: one.value for one in health[-1].status[0].values} if health else {}
+            linear = commands[-1].linear if commands else Twist().linear
+            straight = math.hypot(linear.x - direction[0], linear.y - direction[1]) < 0.1
+            return straight and facts.get('plan') == note
+
+        graph.wait(as_wanted, f'plan {note}')
+
+
+def test_what_the_map_shows_is_no_longer_driven_into(graph):
+    commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+    health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
+    maps = graph.node.create_publisher(OccupancyGrid, 'map', qos.MAP)
+    graph.start('policy_node', model='orca', use_map=True)
+    robot, state = Robot(graph), random_state(0, pedestrians=0, obstacles=1)
+    robot.wait()
+    state.robot_heading[:], state.robot_velocity[:] = 0.0, 0.0
+    state.robot_goal[:] = state.robot_position + [[5.0, 0.0]]
+    state.position[:], state.radius[:] = state.robot_position + [[0.9, 0.0]], 0.5
+
+    def told(message, speeds):
+        robot.publish(state, without=['obstacles'])
+        graph.spin(0.05)
+        reason = health[-1].status[0].message if health else ''
+        return commands and reason == message and speeds(commands[-1].linear.x)
+
+    graph.wait(lambda: told('no map', lambda speed: speed == 0.0), 'stop without a map')
+    free = dataclasses.replace(state, position=state.position + 50.0)
+    maps.publish(map_message(free, 0, 'odom'))
+    graph.wait(lambda: told('driving', lambda speed: speed > 0.9), 'motion where nothing is')
+    maps.publish(map_message(state, 0, 'odom'))
+    graph.wait(lambda: told('driving', lambda speed: speed < 0.3), 'care before an obstacle')
+
+
+def test_on_the_clock_of_a_fast_simulator_the_robot_drives_and_stands_when_it_is_paused(graph):
+    commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+    odometry = graph.listen(Odometry, 'odom')
+    health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
+    graph.start('simulator_node', publish_clock=True, real_time_factor=3.0)
+    graph.start('policy_node', model='orca', bounds=7.5, use_sim_time=True)
+    graph.wait(lambda: commands and speed(commands[-1]) > 0.1, 'motion')
+    stamps = [nanoseconds_of(one.header.stamp) for one in odometry]
+    assert np.median(np.diff(stamps)) == 150_000_000  # at 20 Hz; less where an episode ends
+    assert graph.call(SetBool, 'simulator_node/pause', SetBool.Request(data=True)).success
+    graph.wait(lambda: health[-1].status[0].message == STALLED, 'word of the clock')
+    graph.wait(lambda: speed(commands[-1]) == 0.0, 'stop')
+    graph.call(SetBool, 'simulator_node/pause', SetBool.Request(data=False))
+    commands.clear()
+    graph.wait(lambda: commands and speed(commands[-1]) > 0.1, 'motion after the pause')

@@ -9,8 +9,12 @@ import subprocess
 import time
 
 from ament_index_python.packages import get_package_prefix
+from mcap.reader import make_reader
+from mcap_ros2.decoder import DecoderFactory
 from PIL import Image
 import pytest
+
+from socialnav_core.simulation import make_scenario, Simulator
 
 DEMO = Path(get_package_prefix('socialnav')) / 'lib' / 'socialnav' / 'demo'
 FIELDS = {
@@ -87,6 +91,30 @@ def test_the_demo_draws_a_moving_picture(result):
     _, folder, _ = result
     with Image.open(folder / 'episode.gif') as picture:
         assert picture.format == 'GIF' and picture.n_frames > 20
+
+
+def test_the_demo_keeps_what_was_published_as_a_bag(result):
+    _, folder, _ = result
+    episodes = json.loads((folder / 'episodes.json').read_text())
+    heard = {}
+    with (folder / 'episodes.mcap').open('rb') as file:
+        reader = make_reader(file, decoder_factories=[DecoderFactory()])
+        for _, channel, record, message in reader.iter_decoded_messages():
+            heard.setdefault(channel.topic, {})[record.log_time] = message
+    ends = [(end.case_index, end.outcome) for end in heard['/episode_result'].values()]
+    assert ends[:5] == [(one['case_index'], one['outcome']) for one in episodes]
+    states = sum(one['steps'] + 1 for one in episodes)
+    assert len(heard['/odom']) >= states and len(heard['/cmd_vel']) >= states - 5
+    assert heard['/odom'].keys() >= heard['/cmd_vel'].keys()
+    place = next(iter(heard['/odom'].values())).pose.pose.position
+    start = Simulator(make_scenario('hard'), batch_size=1).reset(seed=0, cases=[0])
+    assert (place.x, place.y) == tuple(start.robot_position[0])
+
+
+def test_a_demo_that_cannot_write_says_so_before_it_starts(tmp_path):
+    (tmp_path / 'file').write_text('')
+    _, errors = (process := demo('--out', tmp_path / 'file')).communicate()
+    assert process.returncode == 1 and errors.startswith('error: ') and errors.count('\n') == 1
 
 
 def test_the_first_episode_is_over_soon(result):

@@ -1,0 +1,156 @@
+"""What a map shows near a robot; no middleware is needed for it."""
+
+import dataclasses
+import math
+
+from nav_msgs.msg import OccupancyGrid
+import numpy as np
+import pytest
+from test_controller import controller_of, SECOND, SETTINGS
+from test_controller import policy as policy
+from worlds import random_state
+
+from socialnav.conversions import ConversionError, quaternion_of
+from socialnav.frames import Placement
+from socialnav.grids import grid_discs
+from socialnav.occupancy import map_message
+from socialnav.sectors import nearest_of_sectors
+from socialnav.stamps import header_message
+
+
+def grid_of(cells, resolution=0.5, corner=(-5.0, -5.0), heading=0.0, size=20):
+    """Return a map in which some cells, given as column and row, are occupied."""
+    grid = OccupancyGrid(header=header_message(SECOND, 'odom'))
+    grid.info.resolution, grid.info.width, grid.info.height = resolution, size, size
+    grid.info.origin.position.x, grid.info.origin.position.y = corner
+    grid.info.origin.orientation = quaternion_of(heading)
+    levels = np.zeros((size, size), dtype=np.int8)
+    for column, row in cells:
+        levels[row, column] = 100
+    grid.data = levels.ravel().tolist()
+    return grid
+
+
+def discs(grid, robot=(0.0, 0.0), **options):
+    """Return the centres of the discs."""
+    return grid_discs(grid, np.array(robot), 'odom', **options)[0]
+
+
+def test_of_each_direction_only_the_nearest_point_is_kept():
+    angles = np.radians([5.0, 5.0, 15.0, 25.0, 355.0])
+    distances = np.array([3.0, 2.0, 5.0, 6.1, 1.0])
+    points = distances[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    assert nearest_of_sectors(points).tolist() == [1, 2, 4]
+
+
+def test_a_full_circle_of_points_keeps_one_of_each_sector():
+    angles = np.radians(np.arange(0.5, 360.0))
+    points = 4.0 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    chosen = nearest_of_sectors(points)
+    assert len(chosen) == 36
+    assert (np.bincount((np.degrees(angles[chosen]) // 10).astype(int)) == 1).all()
+
+
+def test_without_points_nothing_is_kept():
+    assert nearest_of_sectors(np.empty((0, 2))).tolist() == []
+
+
+def test_an_occupied_cell_is_a_disc_around_it():
+    centres, radii = grid_discs(grid_of([(14, 10), (10, 16)]), np.zeros(2), 'odom')
+    np.testing.assert_allclose(centres, [(2.25, 0.25), (0.25, 3.25)])
+    np.testing.assert_allclose(radii, 0.25 * math.sqrt(2))
+
+
+def test_a_small_cell_is_a_disc_of_a_tenth_of_a_metre():
+    _, radii = grid_discs(grid_of([(14, 10)], resolution=0.05), np.full(2, -4.5), 'odom')
+    assert radii.tolist() == [0.1]
+
+
+def test_unknown_and_nearly_free_cells_are_no_obstacles():
+    grid = grid_of([])
+    grid.data[0], grid.data[1], grid.data[2] = -1, 64, 65
+    np.testing.assert_allclose(discs(grid, (-5.0, -5.0)), [(-3.75, -4.75)])
+
+
+def test_cells_out_of_range_are_not_looked_at():
+    grid = grid_of([(0, 0), (19, 19)], corner=(0.0, 0.0))
+    np.testing.assert_allclose(discs(grid, (1.0, 1.0)), [(0.25, 0.25)])
+    assert len(discs(grid, (-9.0, 0.0))) == len(discs(grid, (100.0, 100.0))) == 0
+
+
+def test_a_map_that_is_turned_and_lies_in_another_frame_shows_the_same_places():
+    grid = grid_of([(14, 10)], corner=(0.0, 0.0), heading=math.pi / 2)
+    np.testing.assert_allclose(discs(grid, (-5.0, 5.0)), [(-5.25, 7.25)])
+    grid.header.frame_id = 'map'
+    asked = []
+
+    def locate(frame, source, stamp):
+        asked.append((frame, source, stamp))
+        return Placement(1.0, 2.0, math.pi / 2)
+
+    np.testing.assert_allclose(discs(grid, (-5.0, -3.0), locate=locate), [(-6.25, -3.25)])
+    assert asked == [('odom', 'map', 0)]
+
+
+def change(grid, path, value):
+    """Change one field of a map."""
+    *way, last = path.split('.')
+    for step in way:
+        grid = getattr(grid, step)
+    setattr(grid, last, value)
+
+
+@pytest.mark.parametrize(
+    ('path', 'value', 'reason'),
+    [
+        ('info.resolution', math.nan, 'resolution'),
+        ('info.width', 21, '400 cells instead of 21 times 20'),
+        ('info.origin.position.x', math.inf, 'origin'),
+        ('info.origin.orientation.w', 7.0, 'orientation'),
+        ('header.frame_id', 'map', "in frame 'map'"),
+    ],
+)
+def test_a_map_that_cannot_be_is_refused(path, value, reason):
+    grid = grid_of([(14, 10)])
+    change(grid, path, value)
+    with pytest.raises(ConversionError, match=f'^map: .*{reason}'):
+        discs(grid)
+
+
+def controller_with_map(policy, state, **changes):
+    """Return a controller that uses the map of a world."""
+    settings = dataclasses.replace(SETTINGS, use_map=True, **changes)
+    controller = controller_of(policy, settings, without=['obstacles'], state=state)
+    controller.store('map', map_message(state, SECOND, 'odom'))
+    return controller
+
+
+def test_every_obstacle_near_the_robot_is_found_again_in_the_map(policy):
+    state = random_state(3, pedestrians=2, obstacles=2)
+    state.position[0, 2:] = state.robot_position[0] + [(2.0, 0.0), (0.0, -3.0)]
+    controller_with_map(policy, state).decide(SECOND)
+    seen = policy.states[0]
+    standing = seen.position[0, seen.static[0]]
+    for centre, radius in zip(state.position[0, 2:], state.radius[0, 2:], strict=True):
+        gaps = np.abs(np.hypot(*(standing - centre).T) - radius)
+        assert gaps.min() < 0.15
+    assert seen.static[0].sum() > 2 and (~seen.static[0]).sum() == 2
+
+
+def test_what_the_map_shows_takes_no_place_from_people(policy):
+    state = random_state(3, pedestrians=5, obstacles=1)
+    state.position[0, 5] = state.robot_position[0] + (0.5, 0.0)
+    controller_with_map(policy, state, max_agents=5).decide(SECOND)
+    assert (~policy.states[0].static[0]).sum() == 5
+
+
+def test_without_the_map_the_robot_stands(policy):
+    settings = dataclasses.replace(SETTINGS, use_map=True)
+    assert controller_of(policy, settings).decide(SECOND).reason == 'no map'
+
+
+def test_a_map_that_is_not_wanted_changes_nothing(policy):
+    controller = controller_of(policy)
+    controller.store('map', grid_of([(14, 10)]))
+    controller.decide(SECOND)
+    assert policy.states[0].agents == 5
