@@ -28,7 +28,6 @@ from socialnav_core.sensing import (
     Sensors,
     SurfaceSettings,
     surrounding_discs,
-    to_world,
     Tracker,
     TrackerSettings,
 )
@@ -96,7 +95,7 @@ class Perception:
         if self.settings.walls_told:
             bounds = float(state.bounds[0]) - WALL_MARGIN
             surfaces = dataclasses.replace(surfaces, bounds=bounds)
-        points = to_world(points, Pose(*position.tolist(), float(state.robot_heading[0])))
+        points = Pose(*position.tolist(), float(state.robot_heading[0])).placed(points)
         people = np.full(len(self.tracks.id), self.settings.pedestrian_radius)
         return surrounding_discs(points, position, self.tracks.position, people, surfaces)
 

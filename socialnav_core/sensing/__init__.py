@@ -1,8 +1,8 @@
 """What a robot measures, and what it makes of it: scans to discs, detections to tracks."""
 
+from socialnav_core.sensing.poses import HERE as HERE
 from socialnav_core.sensing.poses import Pose as Pose
 from socialnav_core.sensing.poses import PoseHistory as PoseHistory
-from socialnav_core.sensing.poses import to_world as to_world
 from socialnav_core.sensing.ray_casting import beam_angles as beam_angles
 from socialnav_core.sensing.ray_casting import cast_rays as cast_rays
 from socialnav_core.sensing.sensors import DetectorSettings as DetectorSettings

@@ -13,13 +13,13 @@ MEMORY = 400
 
 @dataclasses.dataclass(frozen=True)
 class Pose:
-    """Place and direction of a frame in another one."""
+    """Place and direction of a frame in another one, the outer."""
 
-    x: float
+    x: float = 0.0
     """m."""
-    y: float
+    y: float = 0.0
     """m."""
-    heading: float
+    heading: float = 0.0
     """rad, counter-clockwise."""
 
     @property
@@ -27,25 +27,48 @@ class Pose:
         """Return the place, m, (2,)."""
         return np.array([self.x, self.y])
 
+    @property
+    def rotation(self) -> np.ndarray:
+        """Return the matrix that turns rows of vectors, (2, 2)."""
+        cosine, sine = math.cos(self.heading), math.sin(self.heading)
+        return np.array([[cosine, sine], [-sine, cosine]])
+
+    def turned(self, vectors: np.ndarray) -> np.ndarray:
+        """
+        Return vectors of the frame as the outer one has them, (..., 2).
+
+        :param vectors: velocities, (..., 2).
+        """
+        return vectors if self == HERE else vectors @ self.rotation
+
+    def placed(self, points: np.ndarray) -> np.ndarray:
+        """
+        Return points of the frame as the outer one has them, (..., 2).
+
+        :param points: m, (..., 2).
+        """
+        return points if self == HERE else points @ self.rotation + self.position
+
+    def found(self, points: np.ndarray) -> np.ndarray:
+        """
+        Return points of the outer frame as this one has them, (..., 2).
+
+        :param points: m, (..., 2).
+        """
+        return (points - self.position) @ self.rotation.T
+
     def of(self, inner: 'Pose') -> 'Pose':
         """
         Return the pose of what sits at a pose within this frame.
 
         :param inner: the pose within this frame.
         """
-        x, y = to_world(inner.position[None], self)[0].tolist()
+        x, y = self.placed(inner.position).tolist()
         return Pose(x, y, self.heading + inner.heading)
 
 
-def to_world(points: np.ndarray, pose: Pose) -> np.ndarray:
-    """
-    Return points of a frame in the frame that its pose is given in, m, (points, 2).
-
-    :param points: within the frame, m, (points, 2).
-    :param pose: of the frame.
-    """
-    cosine, sine = math.cos(pose.heading), math.sin(pose.heading)
-    return pose.position + points @ np.array([[cosine, sine], [-sine, cosine]])
+HERE = Pose()
+"""Of a frame that coincides with the outer one."""
 
 
 @dataclasses.dataclass(frozen=True)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from socialnav_core.sensing.poses import Motion, Pose, PoseHistory, to_world
+from socialnav_core.sensing.poses import Motion, Pose, PoseHistory
 
 SECOND = 10**9
 
@@ -18,7 +18,7 @@ def history(*entries, reach=1.0):
 
 
 def test_a_point_ahead_of_a_robot_that_looks_left_is_to_the_left():
-    points = to_world(np.array([[2.0, 0.0], [0.0, 1.0]]), Pose(1.0, 1.0, np.pi / 2))
+    points = Pose(1.0, 1.0, np.pi / 2).placed(np.array([[2.0, 0.0], [0.0, 1.0]]))
     np.testing.assert_allclose(points, [[1.0, 3.0], [0.0, 1.0]], atol=1e-12)
 
 
@@ -26,7 +26,7 @@ def test_poses_within_poses_agree_with_points_taken_in_two_steps():
     robot, laser = Pose(1.0, -2.0, 0.7), Pose(0.2, 0.1, -0.4)
     points = np.random.default_rng(0).normal(size=(5, 2))
     np.testing.assert_allclose(
-        to_world(points, robot.of(laser)), to_world(to_world(points, laser), robot)
+        robot.of(laser).placed(points), robot.placed(laser.placed(points))
     )
 
 

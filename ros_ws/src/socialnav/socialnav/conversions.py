@@ -8,7 +8,8 @@ from nav_msgs.msg import Odometry
 import numpy as np
 from std_msgs.msg import Header
 
-from socialnav.frames import HERE, Locate, not_asked, Placement
+from socialnav.frames import Locate, not_asked
+from socialnav_core.sensing import HERE, Pose
 from socialnav.stamps import header_message, nanoseconds_of
 from socialnav_core.states import CrowdState
 from socialnav_msgs.msg import AgentState, AgentStates
@@ -244,7 +245,7 @@ def agent_arrays(
 
 def placement_of(
     name: str, header: Header, frame: str, locate: Locate, newest: bool = False
-) -> Placement:
+) -> Pose:
     """
     Return where the frame of a message lies in the one that is wanted.
 

@@ -7,10 +7,14 @@ from nav_msgs.msg import OccupancyGrid
 import numpy as np
 
 from socialnav.conversions import ConversionError, finite, heading_of, placement_of
-from socialnav.frames import Locate, not_asked, Placement
-from socialnav.sectors import LEAST_RADIUS, MAX_RANGE, nearest_of_sectors
+from socialnav.frames import Locate, not_asked
+from socialnav.obstacle_finder import HALF_DIAGONAL
+from socialnav_core.sensing import Pose, surrounding_discs, SurfaceSettings
 from socialnav_core.states import CrowdState
 
+SURFACES = SurfaceSettings()
+NOBODY = np.empty((0, 2)), np.empty(0)
+"""Positions and radii of known people, who are in no map."""
 OCCUPIED = 65
 """Cells of at least so many percent are occupied; unknown ones (-1) are free."""
 
@@ -19,7 +23,9 @@ def grid_discs(
     grid: OccupancyGrid, robot_position: np.ndarray, frame: str, locate: Locate = not_asked
 ) -> tuple[np.ndarray, np.ndarray]:
     """
-    Return centres (discs, 2) and radii (discs,) of what stands nearest in each direction, m.
+    Return centres (discs, 2) and radii (discs,) of what stands around the robot, m.
+
+    They are made as `obstacle_node` makes them.
 
     :param grid: a map; its stamp means nothing, since it may have been loaded long ago.
     :param robot_position: in the frame that is wanted, m, (2,).
@@ -30,13 +36,11 @@ def grid_discs(
     cells, resolution = checked_cells(grid)
     pose = grid.info.origin
     x, y = finite('map', 'origin', [pose.position.x, pose.position.y]).tolist()
-    origin = Placement(x, y, heading_of('map', pose.orientation))
-    corner = origin.within(placement_of('map', grid.header, frame, locate, newest=True))
-    centre = corner.found(np.asarray(robot_position))
-    near = occupied_near(cells, resolution, centre)
-    chosen = corner.placed(near[nearest_of_sectors(near - centre)])
-    radius = max(resolution * math.sqrt(0.5), LEAST_RADIUS)
-    return chosen, np.full(len(chosen), radius)
+    origin = Pose(x, y, heading_of('map', pose.orientation))
+    corner = placement_of('map', grid.header, frame, locate, newest=True).of(origin)
+    near = corner.placed(occupied_near(cells, resolution, corner.found(robot_position)))
+    depth = HALF_DIAGONAL * resolution
+    return surrounding_discs(near, robot_position, *NOBODY, SURFACES, depth)
 
 
 def with_discs(state: CrowdState, centres: np.ndarray, radii: np.ndarray) -> CrowdState:
@@ -89,7 +93,7 @@ def occupied_near(cells: np.ndarray, resolution: float, centre: np.ndarray) -> n
     :param centre: of the square, whose half-width is the range, from the map's corner, m, (2,).
     """
     limits = np.array([cells.shape[1], cells.shape[0]])
-    low = np.clip(np.floor((centre - MAX_RANGE) / resolution).astype(int), 0, limits)
-    high = np.clip(np.ceil((centre + MAX_RANGE) / resolution).astype(int), 0, limits)
+    low = np.clip(np.floor((centre - SURFACES.max_range) / resolution).astype(int), 0, limits)
+    high = np.clip(np.ceil((centre + SURFACES.max_range) / resolution).astype(int), 0, limits)
     rows, columns = np.nonzero(cells[low[1] : high[1], low[0] : high[0]] >= OCCUPIED)
     return (np.stack([columns, rows], axis=1) + low + 0.5) * resolution

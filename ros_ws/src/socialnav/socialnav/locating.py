@@ -5,10 +5,8 @@ from std_msgs.msg import Header
 
 from socialnav.conversions import ConversionError, robot_arrays
 from socialnav.stamps import nanoseconds_of
-from socialnav_core.sensing import Pose, PoseHistory
+from socialnav_core.sensing import HERE, Pose, PoseHistory
 from socialnav_core.sensing.poses import Motion
-
-HERE = Pose(0.0, 0.0, 0.0)
 
 
 class Locator:

@@ -10,7 +10,7 @@ from socialnav.conversions import agent_arrays, check_frame, ConversionError
 from socialnav.locating import Locator
 from socialnav.sensor_messages import discs_message, grid_points, scan_points
 from socialnav.stamps import header_message, nanoseconds_of
-from socialnav_core.sensing import Pose, SurfaceSettings, surrounding_discs, to_world
+from socialnav_core.sensing import Pose, SurfaceSettings, surrounding_discs
 from socialnav_msgs.msg import AgentStates
 
 SETTINGS = (
@@ -77,7 +77,7 @@ class ObstacleFinder:
         stamp, values = nanoseconds_of(message.header.stamp), self.values
         robot = self.locator.base(stamp)
         laser = robot.of(Pose(*(values[f'laser_{name}'] for name in ('x', 'y', 'yaw'))))
-        return self._obstacles(to_world(scan_points(message), laser), robot, stamp, 0.0)
+        return self._obstacles(laser.placed(scan_points(message)), robot, stamp, 0.0)
 
     def of_grid(self) -> AgentStates | None:
         """

@@ -12,7 +12,7 @@ from std_msgs.msg import Header
 
 from socialnav.conversions import ConversionError, finite, heading_of
 from socialnav.stamps import header_message
-from socialnav_core.sensing import grid_returns, Pose, scan_returns, to_world, Tracks
+from socialnav_core.sensing import grid_returns, Pose, scan_returns, Tracks
 from socialnav_msgs.msg import AgentState, AgentStates
 
 Located = Callable[[Header], Pose]
@@ -74,7 +74,7 @@ def grid_points(message: OccupancyGrid, threshold: int) -> np.ndarray:
     x, y, resolution = finite('map', 'place', [place.x, place.y, info.resolution]).tolist()
     corner = Pose(x, y, heading_of('map', info.origin.orientation))
     levels = np.array(message.data, np.int8).reshape(info.height, info.width)
-    return to_world(grid_returns(levels, resolution, threshold), corner)
+    return corner.placed(grid_returns(levels, resolution, threshold))
 
 
 def detections_message(positions: np.ndarray, nanoseconds: int, frame: str) -> PoseArray:
@@ -105,7 +105,7 @@ def detection_points(message: PoseArray | AgentStates, locate: Located) -> np.nd
     else:
         places = [agent.position for agent in message.agents]
     points = finite('detections', 'position', [(place.x, place.y) for place in places])
-    return to_world(points.reshape(-1, 2), locate(message.header))
+    return locate(message.header).placed(points.reshape(-1, 2))
 
 
 def tracks_message(tracks: Tracks, radius: float, header: Header) -> AgentStates:

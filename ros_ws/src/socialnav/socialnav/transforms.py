@@ -10,7 +10,7 @@ from rclpy.node import Node
 from rclpy.time import Time
 
 from socialnav.conversions import ConversionError, finite, heading_of
-from socialnav.frames import Placement
+from socialnav_core.sensing import Pose
 
 WAIT = Duration(nanoseconds=100_000_000)
 """How long it is waited for a transform that has not come yet."""
@@ -28,7 +28,7 @@ class Transforms:
         self._owner = node
         self._listening: tuple[Any, Any, Node] | None = None
 
-    def locate(self, frame: str, source: str, stamp: int) -> Placement:
+    def locate(self, frame: str, source: str, stamp: int) -> Pose:
         """
         Return where a frame lies in another; this may take 0.1 s.
 
@@ -71,7 +71,7 @@ class Transforms:
             node.destroy_node()
 
 
-def placement_of_transform(transform: TransformStamped) -> Placement:
+def placement_of_transform(transform: TransformStamped) -> Pose:
     """
     Return where the child frame of a transform lies in its parent, on the ground.
 
@@ -80,4 +80,4 @@ def placement_of_transform(transform: TransformStamped) -> Placement:
     """
     moved, rotation = transform.transform.translation, transform.transform.rotation
     x, y = finite('transform', 'translation', [moved.x, moved.y]).tolist()
-    return Placement(x, y, heading_of('transform', rotation))
+    return Pose(x, y, heading_of('transform', rotation))

@@ -9,9 +9,9 @@ from worlds import BODY, messages_of, random_state
 
 from socialnav.controller import Controller
 from socialnav.conversions import crowd_state, quaternion_of
-from socialnav.frames import HERE, Placement
+from socialnav_core.sensing import HERE, Pose
 
-PLACEMENT = Placement(1.0, -2.0, 0.7)
+PLACEMENT = Pose(1.0, -2.0, 0.7)
 VECTORS = ('robot_velocity', 'velocity')
 POINTS = ('robot_position', 'robot_goal', 'position')
 
@@ -22,17 +22,17 @@ def test_a_placement_finds_again_what_it_placed():
 
 
 def test_a_placement_turns_counter_clockwise():
-    quarter = Placement(heading=math.pi / 2)
+    quarter = Pose(heading=math.pi / 2)
     np.testing.assert_allclose(quarter.placed(np.array([1.0, 0.0])), [0.0, 1.0], atol=1e-12)
 
 
 def test_a_frame_within_a_frame_places_as_one_after_the_other():
     points = np.random.default_rng(0).normal(size=(4, 2))
-    inner = Placement(0.3, 0.4, -1.0)
+    inner = Pose(0.3, 0.4, -1.0)
     np.testing.assert_allclose(
-        inner.within(PLACEMENT).placed(points), PLACEMENT.placed(inner.placed(points))
+        PLACEMENT.of(inner).placed(points), PLACEMENT.placed(inner.placed(points))
     )
-    assert HERE.within(PLACEMENT) == PLACEMENT
+    assert PLACEMENT.of(HERE) == PLACEMENT
 
 
 def test_a_world_told_in_another_frame_is_the_same_world():

@@ -11,10 +11,9 @@ from test_controller import policy as policy
 from worlds import random_state
 
 from socialnav.conversions import ConversionError, quaternion_of
-from socialnav.frames import Placement
+from socialnav_core.sensing import Pose
 from socialnav.grids import grid_discs
 from socialnav.occupancy import map_message
-from socialnav.sectors import nearest_of_sectors
 from socialnav.stamps import header_message
 
 
@@ -36,34 +35,10 @@ def discs(grid, robot=(0.0, 0.0), **options):
     return grid_discs(grid, np.array(robot), 'odom', **options)[0]
 
 
-def test_of_each_direction_only_the_nearest_point_is_kept():
-    angles = np.radians([5.0, 5.0, 15.0, 25.0, 355.0])
-    distances = np.array([3.0, 2.0, 5.0, 6.1, 1.0])
-    points = distances[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    assert nearest_of_sectors(points).tolist() == [1, 2, 4]
-
-
-def test_a_full_circle_of_points_keeps_one_of_each_sector():
-    angles = np.radians(np.arange(0.5, 360.0))
-    points = 4.0 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    chosen = nearest_of_sectors(points)
-    assert len(chosen) == 36
-    assert (np.bincount((np.degrees(angles[chosen]) // 10).astype(int)) == 1).all()
-
-
-def test_without_points_nothing_is_kept():
-    assert nearest_of_sectors(np.empty((0, 2))).tolist() == []
-
-
-def test_an_occupied_cell_is_a_disc_around_it():
-    centres, radii = grid_discs(grid_of([(14, 10), (10, 16)]), np.zeros(2), 'odom')
-    np.testing.assert_allclose(centres, [(2.25, 0.25), (0.25, 3.25)])
-    np.testing.assert_allclose(radii, 0.25 * math.sqrt(2))
-
-
-def test_a_small_cell_is_a_disc_of_a_tenth_of_a_metre():
-    _, radii = grid_discs(grid_of([(14, 10)], resolution=0.05), np.full(2, -4.5), 'odom')
-    assert radii.tolist() == [0.1]
+def test_an_occupied_cell_is_a_disc_behind_its_nearest_corner():
+    centres, radii = grid_discs(grid_of([(14, 10)]), np.array([0.0, 0.25]), 'odom')
+    np.testing.assert_allclose(centres, [(2.25 - 0.25 * math.sqrt(2) + 0.3, 0.25)])
+    np.testing.assert_allclose(radii, 0.3)
 
 
 def test_unknown_and_nearly_free_cells_are_no_obstacles():
@@ -86,7 +61,7 @@ def test_a_map_that_is_turned_and_lies_in_another_frame_shows_the_same_places():
 
     def locate(frame, source, stamp):
         asked.append((frame, source, stamp))
-        return Placement(1.0, 2.0, math.pi / 2)
+        return Pose(1.0, 2.0, math.pi / 2)
 
     np.testing.assert_allclose(discs(grid, (-5.0, -3.0), locate=locate), [(-6.25, -3.25)])
     assert asked == [('odom', 'map', 0)]

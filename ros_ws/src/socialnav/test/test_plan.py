@@ -10,7 +10,7 @@ import pytest
 from test_controller import controller_of, give, Recorder, SECOND, SETTINGS
 from worlds import random_state
 
-from socialnav.frames import Placement
+from socialnav_core.sensing import Pose
 from socialnav.plan import FOLLOWED, NO_PLAN, PlanFollower
 from socialnav.stamps import header_message
 
@@ -110,7 +110,7 @@ def test_a_pose_of_the_plan_in_another_frame_is_not_used():
 def test_a_plan_in_a_frame_that_is_known_is_followed_in_the_frame_of_the_robot():
     points, note = heading_points(
         plan_of(CORNER, frame='map'), [(4.0, 0.0)], goal=(0.0, 4.0),
-        locate=lambda frame, source, stamp: Placement(4.0, 0.0, math.pi / 2),
+        locate=lambda frame, source, stamp: Pose(4.0, 0.0, math.pi / 2),
     )  # fmt: skip
     np.testing.assert_allclose(points, [(4.0, 1.0)], atol=1e-12)
     assert note == FOLLOWED

@@ -21,7 +21,7 @@ from socialnav.sensor_messages import (
     tracks_message,
 )
 from socialnav.stamps import header_message, nanoseconds_of
-from socialnav_core.sensing import beam_angles, to_world, Tracks
+from socialnav_core.sensing import beam_angles, Tracks
 
 SECOND = 10**9
 POSITIONS = np.array([[1.0, 2.0], [-0.5, 0.25]])
@@ -72,7 +72,7 @@ def test_agents_without_velocities_are_detections_too(locator):
 
 def test_detections_in_the_frame_of_the_robot_are_where_the_robot_saw_them(locator):
     message = detections_message(POSITIONS, SECOND, 'base_link')
-    expected = to_world(POSITIONS, locator.base(SECOND))
+    expected = locator.base(SECOND).placed(POSITIONS)
     np.testing.assert_allclose(detection_points(message, locator.frame), expected)
 
 

@@ -9,7 +9,7 @@ import pytest
 from worlds import messages_of, random_state
 
 from socialnav.conversions import ConversionError, quaternion_of
-from socialnav.frames import Placement
+from socialnav_core.sensing import Pose
 from socialnav.transform_publisher import TransformPublisher
 from socialnav.transforms import placement_of_transform, Transforms
 from socialnav.world_messages import Frames
@@ -44,7 +44,7 @@ def test_the_simulator_tells_where_the_robot_is_and_once_where_the_map_is():
     [standing] = topics.sent['/tf_static']
     frames = standing.transforms[0].header.frame_id, standing.transforms[0].child_frame_id
     assert frames == ('map', 'odom')
-    assert placement_of_transform(standing.transforms[0]) == Placement()
+    assert placement_of_transform(standing.transforms[0]) == Pose()
     moving = topics.sent['/tf'][1].transforms[0]
     assert (moving.header.frame_id, moving.child_frame_id) == ('odom', 'base_link')
     placement = placement_of_transform(moving)
