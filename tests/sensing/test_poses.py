@@ -25,9 +25,7 @@ def test_a_point_ahead_of_a_robot_that_looks_left_is_to_the_left():
 def test_poses_within_poses_agree_with_points_taken_in_two_steps():
     robot, laser = Pose(1.0, -2.0, 0.7), Pose(0.2, 0.1, -0.4)
     points = np.random.default_rng(0).normal(size=(5, 2))
-    np.testing.assert_allclose(
-        robot.of(laser).placed(points), robot.placed(laser.placed(points))
-    )
+    np.testing.assert_allclose(robot.of(laser).placed(points), robot.placed(laser.placed(points)))
 
 
 def test_between_two_poses_the_pose_is_between_them():

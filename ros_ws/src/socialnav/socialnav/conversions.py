@@ -9,8 +9,8 @@ import numpy as np
 from std_msgs.msg import Header
 
 from socialnav.frames import Locate, not_asked
-from socialnav_core.sensing import HERE, Pose
 from socialnav.stamps import header_message, nanoseconds_of
+from socialnav_core.sensing import HERE, Pose
 from socialnav_core.states import CrowdState
 from socialnav_msgs.msg import AgentState, AgentStates
 

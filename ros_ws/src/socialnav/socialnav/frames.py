@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 from socialnav_core.sensing import Pose
 
-
 Locate = Callable[[str, str, int], Pose]
 """
 Says where a frame (second) lies in another (first) at a time (third, ns; 0 for the newest known).

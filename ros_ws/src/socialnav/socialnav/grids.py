@@ -1,4 +1,4 @@
-"""Occupied cells of a map near the robot as obstacles."""
+"""Occupied cells of a map or costmap near the robot as obstacles."""
 
 import dataclasses
 import math
@@ -8,10 +8,11 @@ import numpy as np
 
 from socialnav.conversions import ConversionError, finite, heading_of, placement_of
 from socialnav.frames import Locate, not_asked
-from socialnav.obstacle_finder import HALF_DIAGONAL
-from socialnav_core.sensing import Pose, surrounding_discs, SurfaceSettings
+from socialnav_core.sensing import grid_returns, Pose, SurfaceSettings, surrounding_discs
 from socialnav_core.states import CrowdState
 
+HALF_DIAGONAL = 0.5**0.5
+"""Of a cell, in sides: a surface may be so much nearer than the centre of its cell."""
 SURFACES = SurfaceSettings()
 NOBODY = np.empty((0, 2)), np.empty(0)
 """Positions and radii of known people, who are in no map."""
@@ -33,14 +34,31 @@ def grid_discs(
     :param locate: says where other frames lie in it.
     :raises ConversionError: a map that cannot be, or in a frame that nobody knows.
     """
-    cells, resolution = checked_cells(grid)
-    pose = grid.info.origin
-    x, y = finite('map', 'origin', [pose.position.x, pose.position.y]).tolist()
-    origin = Pose(x, y, heading_of('map', pose.orientation))
-    corner = placement_of('map', grid.header, frame, locate, newest=True).of(origin)
-    near = corner.placed(occupied_near(cells, resolution, corner.found(robot_position)))
-    depth = HALF_DIAGONAL * resolution
-    return surrounding_discs(near, robot_position, *NOBODY, SURFACES, depth)
+    place = placement_of('map', grid.header, frame, locate, newest=True)
+    centre = place.found(robot_position)
+    points = place.placed(grid_points(grid, OCCUPIED, centre, SURFACES.max_range))
+    depth = HALF_DIAGONAL * grid.info.resolution
+    return surrounding_discs(points, robot_position, *NOBODY, SURFACES, depth)
+
+
+def grid_points(
+    grid: OccupancyGrid, threshold: int, centre: np.ndarray, reach: float
+) -> np.ndarray:
+    """
+    Return the centres of the occupied cells around a place, in the grid's frame, m, (cells, 2).
+
+    :param grid: the grid.
+    :param threshold: smallest level of an occupied cell, percent.
+    :param centre: the place, in the frame of the grid, m, (2,).
+    :param reach: cells nearer than this along both axes of the grid are among them, m.
+    :raises ConversionError: a grid that cannot be.
+    """
+    corner, cells, resolution = corner_of(grid), cells_of(grid), grid.info.resolution
+    centre, limits = corner.found(centre), np.array(cells.shape)[::-1]
+    low = np.clip(np.floor((centre - reach) / resolution), 0, limits).astype(int)
+    high = np.clip(np.ceil((centre + reach) / resolution), 0, limits).astype(int)
+    window = cells[low[1] : high[1], low[0] : high[0]]
+    return corner.placed(low * resolution + grid_returns(window, resolution, threshold))
 
 
 def with_discs(state: CrowdState, centres: np.ndarray, radii: np.ndarray) -> CrowdState:
@@ -66,12 +84,24 @@ def with_discs(state: CrowdState, centres: np.ndarray, radii: np.ndarray) -> Cro
     return dataclasses.replace(state, **joined)
 
 
-def checked_cells(grid: OccupancyGrid) -> tuple[np.ndarray, float]:
+def corner_of(grid: OccupancyGrid) -> Pose:
     """
-    Return the cells (rows along y, columns along x) and their side, m.
+    Return where the corner of the first cell lies, and how the rows are turned.
 
-    :param grid: a map.
-    :raises ConversionError: a map that cannot be.
+    :param grid: the grid.
+    :raises ConversionError: a grid that cannot be.
+    """
+    pose = grid.info.origin
+    x, y = finite('map', 'origin', [pose.position.x, pose.position.y]).tolist()
+    return Pose(x, y, heading_of('map', pose.orientation))
+
+
+def cells_of(grid: OccupancyGrid) -> np.ndarray:
+    """
+    Return the cells, percent, -1 where nothing is known, int8 (rows along y, columns along x).
+
+    :param grid: the grid.
+    :raises ConversionError: a grid that cannot be.
     """
     info = grid.info
     if not 0 < info.resolution < math.inf:
@@ -80,20 +110,4 @@ def checked_cells(grid: OccupancyGrid) -> tuple[np.ndarray, float]:
         raise ConversionError(
             f'map: {len(grid.data)} cells instead of {info.width} times {info.height}'
         )
-    cells = np.asarray(grid.data, dtype=np.int8).reshape(info.height, info.width)
-    return cells, float(info.resolution)
-
-
-def occupied_near(cells: np.ndarray, resolution: float, centre: np.ndarray) -> np.ndarray:
-    """
-    Return the centres of the occupied cells in a square around a point, m, (cells, 2).
-
-    :param cells: percent, rows along y.
-    :param resolution: side of a cell, m.
-    :param centre: of the square, whose half-width is the range, from the map's corner, m, (2,).
-    """
-    limits = np.array([cells.shape[1], cells.shape[0]])
-    low = np.clip(np.floor((centre - SURFACES.max_range) / resolution).astype(int), 0, limits)
-    high = np.clip(np.ceil((centre + SURFACES.max_range) / resolution).astype(int), 0, limits)
-    rows, columns = np.nonzero(cells[low[1] : high[1], low[0] : high[0]] >= OCCUPIED)
-    return (np.stack([columns, rows], axis=1) + low + 0.5) * resolution
+    return np.asarray(grid.data, dtype=np.int8).reshape(info.height, info.width)

@@ -6,9 +6,11 @@ from nav_msgs.msg import OccupancyGrid, Odometry
 import numpy as np
 from sensor_msgs.msg import LaserScan
 
-from socialnav.conversions import agent_arrays, check_frame, ConversionError
+from socialnav.conversions import agent_arrays, ConversionError, placement_of
+from socialnav.frames import not_asked
+from socialnav.grids import cells_of, corner_of, grid_points, HALF_DIAGONAL
 from socialnav.locating import Locator
-from socialnav.sensor_messages import discs_message, grid_points, scan_points
+from socialnav.sensor_messages import discs_message, scan_points
 from socialnav.stamps import header_message, nanoseconds_of
 from socialnav_core.sensing import Pose, SurfaceSettings, surrounding_discs
 from socialnav_msgs.msg import AgentStates
@@ -16,8 +18,6 @@ from socialnav_msgs.msg import AgentStates
 SETTINGS = (
     'sectors', 'disc_radius', 'largest_circle', 'max_range', 'bounds', 'people_margin',
 )  # fmt: skip
-HALF_DIAGONAL = 0.5**0.5
-"""Of a cell, in sides: a surface may be so much nearer than the centre of its cell."""
 
 
 class ObstacleFinder:
@@ -63,8 +63,8 @@ class ObstacleFinder:
         :raises ConversionError: a grid that cannot be used; none is known then.
         """
         self._grid = None
-        check_frame('map', message.header, self.values['grid_frame'])
-        grid_points(message, self.values['grid_threshold'])
+        placement_of('map', message.header, self.values['grid_frame'], not_asked)
+        corner_of(message), cells_of(message)
         self._grid = message
 
     def of_scan(self, message: LaserScan) -> AgentStates:
@@ -94,7 +94,8 @@ class ObstacleFinder:
             raise ConversionError(f'map older than {timeout:g} s')
         robot = self.locator.base(stamp)
         self._answered = stamp
-        points = grid_points(grid, self.values['grid_threshold'])
+        threshold, reach = self.values['grid_threshold'], self.values['max_range']
+        points = grid_points(grid, threshold, robot.position, reach)
         depth = HALF_DIAGONAL * grid.info.resolution
         return self._obstacles(points, robot, stamp, depth)
 

@@ -5,14 +5,13 @@ from collections.abc import Callable
 
 from geometry_msgs.msg import Point, PoseArray, Quaternion, Vector3
 from geometry_msgs.msg import Pose as PoseMessage
-from nav_msgs.msg import OccupancyGrid
 import numpy as np
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Header
 
-from socialnav.conversions import ConversionError, finite, heading_of
+from socialnav.conversions import ConversionError, finite
 from socialnav.stamps import header_message
-from socialnav_core.sensing import grid_returns, Pose, scan_returns, Tracks
+from socialnav_core.sensing import Pose, scan_returns, Tracks
 from socialnav_msgs.msg import AgentState, AgentStates
 
 Located = Callable[[Header], Pose]
@@ -57,24 +56,6 @@ def scan_points(message: LaserScan) -> np.ndarray:
         )  # fmt: skip
     except ValueError as error:
         raise ConversionError(f'scan: {error}') from error
-
-
-def grid_points(message: OccupancyGrid, threshold: int) -> np.ndarray:
-    """
-    Return the centres of the occupied cells in the frame of the grid, m, (cells, 2).
-
-    :param message: the grid.
-    :param threshold: smallest level of an occupied cell.
-    :raises ConversionError: a grid that cannot be.
-    """
-    info = message.info
-    if len(message.data) != info.width * info.height:
-        raise ConversionError(f'map: {len(message.data)} cells, not {info.width}x{info.height}')
-    place = info.origin.position
-    x, y, resolution = finite('map', 'place', [place.x, place.y, info.resolution]).tolist()
-    corner = Pose(x, y, heading_of('map', info.origin.orientation))
-    levels = np.array(message.data, np.int8).reshape(info.height, info.width)
-    return corner.placed(grid_returns(levels, resolution, threshold))
 
 
 def detections_message(positions: np.ndarray, nanoseconds: int, frame: str) -> PoseArray:

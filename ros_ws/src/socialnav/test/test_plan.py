@@ -10,9 +10,9 @@ import pytest
 from test_controller import controller_of, give, Recorder, SECOND, SETTINGS
 from worlds import random_state
 
-from socialnav_core.sensing import Pose
 from socialnav.plan import FOLLOWED, NO_PLAN, PlanFollower
 from socialnav.stamps import header_message
+from socialnav_core.sensing import Pose
 
 CORNER = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0)]
 LOOP = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, -4.0)]

@@ -3,19 +3,16 @@
 import math
 
 from geometry_msgs.msg import PoseArray
-from nav_msgs.msg import OccupancyGrid
 import numpy as np
 import pytest
 from worlds import random_state
 
-from socialnav.conversions import agents_message, ConversionError, odometry_message, quaternion_of
+from socialnav.conversions import agents_message, ConversionError, odometry_message
 from socialnav.locating import Locator
-from socialnav.occupancy import map_message
 from socialnav.sensor_messages import (
     detection_points,
     detections_message,
     discs_message,
-    grid_points,
     scan_message,
     scan_points,
     tracks_message,
@@ -92,30 +89,6 @@ def test_detections_that_cannot_be_used_are_refused_with_the_reason(locator, mes
 def test_nobody_detected_is_no_position(locator):
     empty = PoseArray(header=header_message(SECOND, 'odom'))
     assert detection_points(empty, locator.frame).shape == (0, 2)
-
-
-def test_cells_of_a_turned_grid_are_where_its_origin_puts_them():
-    grid = OccupancyGrid(header=header_message(SECOND, 'odom'), data=[0, 100])
-    grid.info.width, grid.info.height, grid.info.resolution = 2, 1, 0.5
-    grid.info.origin.position.x = 1.0
-    grid.info.origin.orientation = quaternion_of(math.pi / 2)
-    np.testing.assert_allclose(grid_points(grid, 65), [[1.0 - 0.25, 0.75]], atol=1e-6)
-
-
-def test_the_cells_of_a_map_lie_on_its_obstacles_and_walls():
-    state = random_state(2)
-    points = grid_points(map_message(state, SECOND, 'odom'), 65)
-    static = state.static[0]
-    gap = np.linalg.norm(points[:, None] - state.position[0, static], axis=-1)
-    on_something = (gap <= state.radius[0, static]).any(axis=1)
-    on_something |= np.abs(points).max(axis=1) > state.bounds[0]
-    assert len(points) > 100 and on_something.all()
-
-
-def test_a_grid_of_another_size_than_it_says_is_refused():
-    grid = OccupancyGrid(data=[0])
-    with pytest.raises(ConversionError, match='1 cells, not 0x0'):
-        grid_points(grid, 65)
 
 
 def test_tracks_become_pedestrians_with_their_names_and_velocities():

@@ -9,10 +9,10 @@ import pytest
 from worlds import messages_of, random_state
 
 from socialnav.conversions import ConversionError, quaternion_of
-from socialnav_core.sensing import Pose
 from socialnav.transform_publisher import TransformPublisher
 from socialnav.transforms import placement_of_transform, Transforms
 from socialnav.world_messages import Frames
+from socialnav_core.sensing import Pose
 
 FRAMES = Frames('map', 'odom', 'base_link')
 
