@@ -148,9 +148,11 @@ def training_data(config: Config, last: dict[str, float]) -> str:
             f'{curriculum.window} episodes succeed.'
         )
     if last:
+        spent = last.get('processor_seconds')  # reports of earlier revisions lack it
+        minutes = '' if spent is None else f', {spent / 60:.1f} min of processor'
         lines.append(
             f'\nIn all {last["decisions"]:,.0f} decisions and {last["episodes"]:,.0f} episodes '
-            f'after imitation, {last["seconds"] / 60:.1f} min; largest obstacle radius at the end '
+            f'after imitation{minutes}; largest obstacle radius at the end '
             f'{last["obstacle_radius"]:g} m.'
         )
     return '\n'.join(lines)
