@@ -133,8 +133,9 @@ def shown(found: Sequence[Found]) -> str:
         for each in found
     ]
     return (
-        'From left to right; numbers on the paths are seconds, fainter discs are earlier ones. '
-        'Violet lines, where there are any, show the attention to each agent at one moment.\n\n'
+        'From left to right, with the training seed; numbers on the paths are seconds, fainter '
+        'discs are earlier ones. Violet lines, where there are any, show the attention to each '
+        'agent at one moment.\n\n'
         f'{markdown_table(head, lines)}'
     )
 

@@ -83,7 +83,7 @@ def play(row: Row, seed: int, cases: Cases, case: int, laboratory: Laboratory) -
     folder = cases.checkpoint(laboratory.run(row, seed))
     policy = load_policy(str(folder), cases.lookahead, screening=False)
     scenario = make_scenario(cases.scenario)
-    name = f'{row.label} (training seed {seed})'
+    name = f'{row.label}, seed {seed}'
     return Found(row, seed, cases, record(policy, scenario, 0, case, cases.split, name))
 
 
