@@ -83,10 +83,11 @@ def row(folder: Path) -> tuple[str, ...]:
     except CheckpointError as error:
         return (folder.name, 'damaged', '', '', str(error), '')
     parameters = sum(parameter.numel() for parameter in network.parameters())
-    heads = f' ({config.policy.heads} heads)' if config.policy.network == 'gat4sn' else ''
+    name, count = config.policy.network, config.policy.heads
+    heads = f' ({count} head{"s" * (count > 1)})' if name.startswith('gat4sn') else ''
     return (
         folder.name,
-        config.policy.network + heads,
+        name + heads,
         f'{parameters:,}',
         config.scenario.name,
         headlines(folder / 'metrics.json'),

@@ -94,7 +94,8 @@ def description(config: Config, parameters: int, digest: str) -> str:
     :param digest: of the weights.
     """
     policy = config.policy
-    heads = f' with {policy.heads} heads' if policy.network.startswith('gat4sn') else ''
+    count = f'{policy.heads} head{"s" * (policy.heads > 1)}'
+    heads = f' with {count}' if policy.network.startswith('gat4sn') else ''
     turns = 'headings' if policy.kinematics == 'holonomic' else 'turn rates'
     return (
         f'Value network {NETWORKS[policy.network]}{heads}, {parameters:,} parameters. Each '
