@@ -64,7 +64,8 @@ class ObstacleFinder:
         """
         self._grid = None
         placement_of('map', message.header, self.values['grid_frame'], not_asked)
-        corner_of(message), cells_of(message)
+        corner_of(message)
+        cells_of(message)
         self._grid = message
 
     def of_scan(self, message: LaserScan) -> AgentStates:
