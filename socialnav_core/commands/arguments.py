@@ -128,10 +128,9 @@ def positive_number(text: str) -> int:
 
     :param text: as typed.
     """
-    number = whole_number(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError('must be at least 1')
-    return number
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f'{text!r} is no whole number of at least 1')
+    return int(text)
 
 
 def whole_number(text: str) -> int:
