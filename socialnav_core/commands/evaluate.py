@@ -11,7 +11,7 @@ from socialnav_core.commands.arguments import (
     positive_number,
     progress_bar,
 )
-from socialnav_core.commands.choices import chosen_scenario, open_policy
+from socialnav_core.commands.choices import BASELINES, chosen_scenario, open_policy
 from socialnav_core.commands.files import require_new, write_json
 from socialnav_core.config import ConfigError, Scenario
 from socialnav_core.settings import parse_assignments
@@ -108,10 +108,12 @@ def described(result: Any, given: argparse.Namespace) -> dict[str, Any]:
 
 def require_plain_settings(given: argparse.Namespace) -> None:
     """
-    Raise a ConfigError when a result for the model card is not one of the model as it is.
+    Raise a ConfigError when a result for a model card is not one of a model as it is.
 
     :param given: parsed arguments.
     """
+    if given.card and given.model in BASELINES:
+        raise ConfigError(f'{given.model} has no model card: drop --card')
     if given.card and given.assignments:
         raise ConfigError('a card holds results of unchanged settings: drop --set or --card')
 
