@@ -21,8 +21,8 @@ from socialnav.isolation import isolated_environment
 from socialnav.parameters import DEFAULT_MODEL
 from socialnav_core.simulation import make_scenario
 
-SILENCE = 60.0
-"""Time without a new state after which the demo gives up, s."""
+SILENCE = 180.0
+"""Time without a new state after which the demo gives up, s; compiling takes a part of it."""
 BACKLOG = 0.5
 """Time without any message of the world after which all of them have been heard, s."""
 INTERRUPTED = 130
@@ -101,7 +101,7 @@ def run_demo(options: argparse.Namespace) -> None:
     Run the episodes, print and write what came of them.
 
     :param options: of the command line.
-    :raises DemoError: a node died, nothing came for a minute, or the robot never moved.
+    :raises DemoError: a node died, nothing came for long, or the robot never moved.
     :raises OSError: the folder cannot be written.
     """
     options.out.mkdir(parents=True, exist_ok=True)
@@ -110,6 +110,7 @@ def run_demo(options: argparse.Namespace) -> None:
         topics = TRUTH if options.sensors else {}
         listener = DemoNode(bag, topics, lockstep=not options.real_time)
         with running_nodes(*graph) as nodes:
+            print(f'started: {", ".join(nodes)}; the first time they compile', file=sys.stderr)
             listen(listener, nodes, options.episodes)
     results = listener.results[: options.episodes]
     print(f'\n{table(results)}', flush=True)
@@ -130,7 +131,7 @@ def listen(listener: DemoNode, nodes: Nodes, episodes: int) -> None:
     :param listener: hears the topics.
     :param nodes: the processes that must live.
     :param episodes: how many to wait for.
-    :raises DemoError: a node died or cannot be used, or nothing new came for a minute.
+    :raises DemoError: a node died or cannot be used, or nothing new came for long.
     """
     executor = SingleThreadedExecutor()
     executor.add_node(listener)
@@ -146,7 +147,9 @@ def listen(listener: DemoNode, nodes: Nodes, episodes: int) -> None:
         if listener.problem is not None:
             raise DemoError(f'policy_node: {listener.problem}')
         if time.monotonic() - listener.latest_progress > SILENCE:
-            raise DemoError(f'nothing new for {SILENCE:g} s')
+            raise DemoError(
+                f'no new state for {SILENCE:g} s: run it again when the computer is less busy'
+            )
     while time.monotonic() - listener.latest_message < BACKLOG:  # results overtake states
         executor.spin_once(timeout_sec=0.1)
     executor.shutdown()
