@@ -14,6 +14,7 @@ from socialnav_core.policies.perceptron import (
     linear_layer,
     linear_layers,
     rectified,
+    rectify,
     scalar,
 )
 
@@ -140,7 +141,7 @@ def _attend(
     weight, bias = tensors.score_mean
     from_mean = torch.addmm(bias, mean, weight)[:, None]
     score_hidden = torch.mm(embedding, tensors.score_own).view(batch, agents, 100)
-    score_hidden = torch.relu_(score_hidden + from_mean).view(batch * agents, 100)
+    score_hidden = rectify(score_hidden + from_mean).view(batch * agents, 100)
     scores = scalar(score_hidden, tensors.score_output).view(batch, agents)
     hidden = rectified(embedding, [tensors.mlp2_hidden])
     return hidden.view(batch, agents, 100), masked_softmax(scores, mask)

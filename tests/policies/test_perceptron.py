@@ -7,6 +7,7 @@ from socialnav_core.policies.perceptron import (
     full_precision,
     linear_layers,
     rectified,
+    rectify,
     scalar,
 )
 
@@ -25,6 +26,15 @@ def test_rectified_has_a_relu_after_the_last_layer_too():
     modules, rows = _modules(), torch.randn(4, 3)
     expected = torch.relu(modules(rows))
     torch.testing.assert_close(rectified(rows, linear_layers(modules)), expected)
+
+
+def test_every_bfloat16_is_rectified_alike_with_and_without_gradients():
+    numbers = torch.arange(-(2**15), 2**15).to(torch.int16).view(torch.bfloat16)
+    numbers = numbers[~numbers.isnan()]
+    with torch.no_grad():
+        assert torch.equal(rectify(numbers.clone()), torch.relu(numbers))
+    with torch.enable_grad():
+        assert torch.equal(rectify(numbers.clone()), torch.relu(numbers))
 
 
 def test_layers_show_a_change_of_the_weights_made_in_place():
