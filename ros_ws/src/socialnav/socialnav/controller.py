@@ -101,6 +101,14 @@ class Controller:
         """
         return self._inputs.ages(now)
 
+    def time_left(self, now: int) -> float:
+        """
+        Return for how long the inputs that made the robot drive can be acted on, s.
+
+        :param now: ns, on the clock of the stamps.
+        """
+        return self._inputs.time_left(now, self.settings)
+
     def attention(self) -> np.ndarray | None:
         """Return how much the policy looked at each agent, (agents,); None where it does not."""
         if self.intention is None or not isinstance(self._policy, ValuePolicy):

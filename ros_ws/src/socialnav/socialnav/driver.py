@@ -12,6 +12,7 @@ from rclpy.timer import Timer
 from std_srvs.srv import Trigger
 
 from socialnav import qos
+from socialnav.alarm import Alarm
 from socialnav.controller import Controller
 from socialnav.controller_settings import controller_settings
 from socialnav.diagnostics import controller_facts
@@ -48,6 +49,7 @@ class Driver:
         self.lockstep = settings.lockstep
         self.node = node
         self.timer: Timer | None = None
+        self.expiry: Alarm | None = None
         self.watchdog: Watchdog | None = None
         self.punctuality = Punctuality(settings.period)
         self.outputs = PolicyOutputs(node, self.controller, values, on_change)
@@ -85,6 +87,7 @@ class Driver:
             settings = self.controller.settings
             self.punctuality = Punctuality(settings.period)
             self.timer = self.node.create_timer(settings.period, self.on_tick)
+            self.expiry = Alarm(self.node, self.on_expiry)
             self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
 
     def use(self, values: dict[str, Any]) -> None:
@@ -95,7 +98,8 @@ class Driver:
         """
         self.controller.settings = controller_settings(values)
         if self.watchdog is not None:
-            self.watchdog.timeout = self.controller.settings.stall_timeout
+            self.watchdog.stop()
+            self.watchdog = Watchdog(self.controller.settings.stall_timeout, self.on_stall)
 
     def stop(self) -> None:
         """Stop the robot: a zero command is the last one."""
@@ -105,6 +109,7 @@ class Driver:
         if self.watchdog is not None:
             self.watchdog.stop()
             self.node.destroy_timer(self.timer)
+            self.expiry.close()
             self.watchdog = None
         self.outputs.end()
 
@@ -150,9 +155,23 @@ class Driver:
             self.outputs.publish(self.controller.decide(now))
             return
         self.punctuality.tick(time.monotonic(), lateness(self.timer))
-        self.outputs.publish(self.controller.decide(now))
+        decision = self.controller.decide(now)
+        self.outputs.publish(decision)
         self.punctuality.command(self.outputs.latest_command, self.controller.input_ages(now))
         self.watchdog.feed()
+        if decision.reason is None:
+            self.expiry.set(self.controller.time_left(now))
+
+    def on_expiry(self) -> None:
+        """Stop the robot when an input has become too old: the next tick may be a period away."""
+        if not self.running or self.outputs.reason is not None:
+            return
+        now = self.node.get_clock().now().nanoseconds
+        left = self.controller.time_left(now)
+        if left < 0:
+            self.outputs.publish(self.controller.decide(now))
+        else:  # newer inputs have come
+            self.expiry.set(left)
 
     def on_stall(self) -> None:
         """Stop the robot, in the watchdog's thread, while nothing else can."""

@@ -94,12 +94,26 @@ class Inputs:
             return 'no map'
         if settings.lockstep:
             return None
+        ages, timeouts = self.ages(now), self._timeouts(settings)
+        complaints = (age_complaint(name, ages[name], timeouts[name]) for name in timeouts)
+        return next(filter(None, complaints), None)
+
+    def time_left(self, now: int, settings: ControllerSettings) -> float:
+        """
+        Return the time until the first input is too old, s; negative once one is.
+
+        :param now: ns, on the clock of the stamps.
+        :param settings: time-outs.
+        """
+        ages = self.ages(now)
+        return min(limit - ages[name] for name, limit in self._timeouts(settings).items())
+
+    def _timeouts(self, settings: ControllerSettings) -> dict[str, float]:
+        """Return the largest age of each input that ages, s."""
         timeouts = dict.fromkeys(AGEING, settings.input_timeout)
         if settings.obstacles_timeout > 0 and 'obstacles' in self._newest:
             timeouts['obstacles'] = settings.obstacles_timeout
-        ages = self.ages(now)
-        complaints = (age_complaint(name, ages[name], timeouts[name]) for name in timeouts)
-        return next(filter(None, complaints), None)
+        return timeouts
 
     def plan_complaint(self, now: int, settings: ControllerSettings) -> str | None:
         """
