@@ -8,6 +8,8 @@ from typing import Any
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
 from rclpy.lifecycle import LifecycleNode
+from rclpy.qos import QoSProfile
+from rclpy.subscription import Subscription
 from rclpy.timer import Timer
 from std_srvs.srv import Trigger
 
@@ -17,11 +19,13 @@ from socialnav.controller import Controller
 from socialnav.controller_settings import controller_settings
 from socialnav.diagnostics import controller_facts
 from socialnav.frames import not_asked
+from socialnav.inputs import AGEING
 from socialnav.models import ready_policy
 from socialnav.parameters import fixed_values, POLICY_PARAMETERS
 from socialnav.policy_outputs import PolicyOutputs
 from socialnav.punctuality import Punctuality
 from socialnav.transforms import Transforms
+from socialnav.unread import Unread
 from socialnav.watchdog import Watchdog
 from socialnav_msgs.msg import AgentStates
 
@@ -68,11 +72,20 @@ class Driver:
             inputs.append(('plan', Path, qos.PLAN))
         if self.controller.settings.use_map:
             inputs.append(('map', OccupancyGrid, qos.MAP))
-        self.subscriptions = [
-            self.node.create_subscription(kind, name, partial(self.on_input, name), profile)
-            for name, kind, profile in inputs
-        ]
+        self.subscriptions = [self.create_input(*one) for one in inputs]
         self.cancelling = self.node.create_service(Trigger, '~/cancel_goal', self.on_cancel)
+
+    def create_input(self, name: str, kind: type, profile: QoSProfile) -> Subscription:
+        """
+        Make a subscription; what comes often is not read until it is wanted.
+
+        :param name: topic.
+        :param kind: type of its messages.
+        :param profile: quality of service.
+        """
+        raw = name in AGEING and not self.lockstep
+        callback = partial(self.on_unread, name, kind) if raw else partial(self.on_input, name)
+        return self.node.create_subscription(kind, name, callback, profile, raw=raw)
 
     def start(self, values: dict[str, Any]) -> None:
         """
@@ -133,6 +146,16 @@ class Driver:
         if self.lockstep and self.controller.take_complete_state():
             self.on_tick()
 
+    def on_unread(self, name: str, kind: type, data: bytes) -> None:
+        """
+        Store a message as it came.
+
+        :param name: its topic.
+        :param kind: its type.
+        :param data: the message, serialized.
+        """
+        self.on_input(name, Unread(kind, data))
+
     def on_cancel(self, _: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
         """
         Forget the goal.
@@ -157,9 +180,11 @@ class Driver:
         self.punctuality.tick(time.monotonic(), lateness(self.timer))
         decision = self.controller.decide(now)
         self.outputs.publish(decision)
-        self.punctuality.command(self.outputs.latest_command, self.controller.input_ages(now))
         self.watchdog.feed()
-        if decision.reason is None:
+        drives = decision.reason is None
+        ages = self.controller.input_ages(now) if drives else {}  # else nobody has read them
+        self.punctuality.command(self.outputs.latest_command, ages)
+        if drives:
             self.expiry.set(self.controller.time_left(now))
 
     def on_expiry(self) -> None:
