@@ -1,6 +1,7 @@
 """All of the decision: from the newest inputs to a velocity of the robot, or a reason to stand."""
 
 from collections.abc import Callable
+import contextlib
 import dataclasses
 import time
 from typing import Any
@@ -132,6 +133,14 @@ class Controller:
         command, reason = self._choose(now)
         self._latest = Decision(command, reason, self._to_be_published(reason), stamp)
         return self._latest
+
+    def rehearse(self) -> None:
+        """Do the work of the latest decision again, with what has come since, for no result."""
+        if self.intention is None or not isinstance(self._policy, ValuePolicy):
+            return  # other policies may remember what they saw
+        with contextlib.suppress(Exception):  # the decision itself will tell
+            self._read_state()
+            self._policy.act(self.intention.state)
 
     def stall(self) -> Decision:
         """Return what to do when decide() is not called any more; another thread may ask."""

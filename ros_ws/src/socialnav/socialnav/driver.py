@@ -24,6 +24,7 @@ from socialnav.models import ready_policy
 from socialnav.parameters import fixed_values, POLICY_PARAMETERS
 from socialnav.policy_outputs import PolicyOutputs
 from socialnav.punctuality import Punctuality
+from socialnav.rehearsal import Rehearsal
 from socialnav.transforms import Transforms
 from socialnav.unread import Unread
 from socialnav.watchdog import Watchdog
@@ -54,6 +55,7 @@ class Driver:
         self.node = node
         self.timer: Timer | None = None
         self.expiry: Alarm | None = None
+        self.rehearsal: Rehearsal | None = None
         self.watchdog: Watchdog | None = None
         self.punctuality = Punctuality(settings.period)
         self.outputs = PolicyOutputs(node, self.controller, values, on_change)
@@ -101,6 +103,7 @@ class Driver:
             self.punctuality = Punctuality(settings.period)
             self.timer = self.node.create_timer(settings.period, self.on_tick)
             self.expiry = Alarm(self.node, self.on_expiry)
+            self.rehearsal = Rehearsal(self.node, self.timer, self.controller)
             self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
 
     def use(self, values: dict[str, Any]) -> None:
@@ -123,6 +126,7 @@ class Driver:
             self.watchdog.stop()
             self.node.destroy_timer(self.timer)
             self.expiry.close()
+            self.rehearsal.close()
             self.watchdog = None
         self.outputs.end()
 
@@ -186,6 +190,7 @@ class Driver:
         self.punctuality.command(self.outputs.latest_command, ages)
         if drives:
             self.expiry.set(self.controller.time_left(now))
+            self.rehearsal.expect()
 
     def on_expiry(self) -> None:
         """Stop the robot when an input has become too old: the next tick may be a period away."""
