@@ -8,6 +8,8 @@ from socialnav.controller import Controller
 
 ADVANCE = 0.002
 """Time between the end of a rehearsal and the tick, s; a cold rehearsal takes some of it."""
+PAUSE = 0.02
+"""Shortest time without a decision after which a rehearsal is worth its time, s."""
 
 
 class Rehearsal:
@@ -34,7 +36,7 @@ class Rehearsal:
         """Rehearse before the next tick, unless that is near or the rehearsal would delay it."""
         until_tick = self._ticks.time_until_next_call() * 1e-9
         delay = until_tick - ADVANCE - 2 * self._controller.tally.decision_time
-        if delay > 0.5 * until_tick:
+        if delay > PAUSE:
             self._alarm.set(delay)
 
     def close(self) -> None:
