@@ -35,6 +35,11 @@ def test_a_name_is_that_of_a_model_of_the_package_wherever_the_node_was_started(
     assert Path(installed(DEFAULT_MODEL)) == SHARE / DEFAULT_MODEL
 
 
+def test_a_name_that_nothing_has_is_answered_with_those_that_there_are():
+    with pytest.raises(ValueError, match=f'orca, straight_line, .*{DEFAULT_MODEL}'):
+        load('nobody')
+
+
 @pytest.mark.parametrize('name', ['', '.', '..', '../models', f'../models/{DEFAULT_MODEL}', '/'])
 def test_nothing_but_a_name_is_looked_up_in_the_share_folder(name):
     assert installed(name) == name
