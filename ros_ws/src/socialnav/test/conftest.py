@@ -16,3 +16,9 @@ def graph() -> Iterator[Graph]:
     """Yield a node that listens and speaks, and starts others."""
     with open_graph() as graph:
         yield graph
+
+
+@pytest.fixture(params=[1, *(pytest.param(n, marks=pytest.mark.slow) for n in range(2, 6))])
+def repetition(request: pytest.FixtureRequest) -> int:
+    """Repeat what must never go wrong: once in a short run, five times in a long one."""
+    return request.param

@@ -11,6 +11,8 @@ import pytest
 from robot import speed
 from worlds import random_state
 
+pytestmark = pytest.mark.usefixtures('repetition')
+
 
 @pytest.fixture(scope='module')
 def drive():

@@ -17,6 +17,8 @@ from socialnav.programs import INTERRUPTED
 from socialnav.stamps import nanoseconds_of
 from socialnav_msgs.msg import EpisodeResult
 
+pytestmark = pytest.mark.usefixtures('repetition')
+
 POLICY = {'model': 'orca', 'bounds': 7.5}
 NODES = ('policy_node', 'simulator_node', 'obstacle_node', 'tracker_node')
 SIGNALS = (signal.SIGINT, signal.SIGTERM)

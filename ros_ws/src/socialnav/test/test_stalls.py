@@ -7,11 +7,14 @@ import time
 
 from driving import Drive
 import numpy as np
+import pytest
 from rosgraph_msgs.msg import Clock
 from worlds import random_state
 
 from socialnav import qos
 from socialnav.stamps import time_message
+
+pytestmark = pytest.mark.usefixtures('repetition')
 
 STALLING_NODE = Path(__file__).with_name('stalling_node.py')
 
