@@ -5,6 +5,7 @@ import math
 import signal
 
 from diagnostic_msgs.msg import DiagnosticArray
+from driving import Drive
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from graph import DEADLINE
 from managed import change_parameter
@@ -14,11 +15,13 @@ import pytest
 from robot import Robot, speed
 from std_msgs.msg import Bool
 from std_srvs.srv import SetBool
+from test_faults import drives_among_any_number
 from test_plan import plan_of
 from worlds import random_state
 
 from socialnav import qos
 from socialnav.occupancy import map_message
+from socialnav.parameters import DEFAULT_MODEL
 from socialnav.reasons import STALLED
 from socialnav.stamps import nanoseconds_of
 
@@ -79,6 +82,10 @@ def test_bad_inputs_stop_the_robot_and_good_ones_let_it_go_on(graph):
             return commands and (speed(commands[-1]) > 0.0) == moves
 
         graph.wait(publish, f'reaction to {frame}')
+
+
+def test_the_default_model_drives_among_any_number_of_agents_too(graph):
+    drives_among_any_number(Drive(graph).start(model=DEFAULT_MODEL))
 
 
 def test_a_stamped_command_can_be_had_instead(graph):
