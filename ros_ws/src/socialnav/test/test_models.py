@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import torch
 
-from socialnav.controller_settings import real_time_settings
+from socialnav.controller_settings import controller_settings, real_time_settings
 from socialnav.models import example_state, installed, ready_policy
 from socialnav.parameters import DEFAULT_MODEL, POLICY_PARAMETERS
 
@@ -62,6 +62,14 @@ def test_whatever_is_no_checkpoint_is_one_line_about_what_could_be_given(name):
     with pytest.raises(ValueError, match='no model') as error:
         load(name)
     assert '\n' not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    'name', ['/etc/passwd', '../hard', f'{SHARE}/{DEFAULT_MODEL}/config.yaml']
+)
+def test_a_scenario_is_a_name_and_never_a_file(name):
+    with pytest.raises(ValueError, match='unknown scenario'):
+        controller_settings(VALUES | {'lockstep': True, 'scenario': name})
 
 
 def test_the_horizon_of_screening_is_as_saved_unless_another_is_asked_for():
