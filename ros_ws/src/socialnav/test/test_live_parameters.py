@@ -73,3 +73,15 @@ def test_a_node_does_not_start_with_a_value_that_cannot_be(graph, node):
                 declare(created, (entry,))
             assert '\n' not in str(error.value)
             created.destroy_node()
+
+
+def test_a_parameter_that_does_not_exist_is_refused_but_for_those_of_every_node(graph):
+    for name in ('use_sim_time', 'qos_overrides./odom.subscription.depth', 'max_sped'):
+        overrides = [Parameter(name, value=True)]
+        created = rclpy.create_node('start_with_another', parameter_overrides=overrides)
+        if name == 'max_sped':
+            with pytest.raises(ParameterError, match='did you mean max_speed'):
+                declare(created, POLICY_PARAMETERS)
+        else:
+            declare(created, POLICY_PARAMETERS)
+        created.destroy_node()

@@ -143,6 +143,7 @@ def test_a_speed_limit_that_is_changed_live_is_kept(graph, driving):
     ('name', 'parameters', 'text'),
     [
         ('policy_node', {'controller_frequency': -1.0}, 'controller_frequency must be'),
+        ('policy_node', {'max_sped': 0.3}, 'did you mean max_speed'),
         ('policy_node', {'threads': 'many'}, 'threads must be a whole number'),
         ('simulator_node', {'scenario': 'hart'}, 'did you mean hard'),
         ('simulator_node', {'kinematics': 'legs'}, 'kinematics must be one of'),
