@@ -1,6 +1,7 @@
 """All of the decision: from the newest inputs to a velocity of the robot, or a reason to stand."""
 
 from collections.abc import Callable
+import contextlib
 import dataclasses
 import time
 from typing import Any
@@ -35,7 +36,7 @@ class Decision:
     publish: bool = True
     """False once the robot has stood for so long that others may command it."""
     stamp: int = 0
-    """Time of the state that is answered, ns."""
+    """Time of the state that is answered in lockstep, ns."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -101,6 +102,14 @@ class Controller:
         """
         return self._inputs.ages(now)
 
+    def time_left(self, now: int) -> float:
+        """
+        Return for how long the inputs that made the robot drive can be acted on, s.
+
+        :param now: ns, on the clock of the stamps.
+        """
+        return self._inputs.time_left(now, self.settings)
+
     def attention(self) -> np.ndarray | None:
         """Return how much the policy looked at each agent, (agents,); None where it does not."""
         if self.intention is None or not isinstance(self._policy, ValuePolicy):
@@ -117,12 +126,21 @@ class Controller:
 
         :param now: ns, on the clock of the stamps.
         """
-        stamp = self._inputs.stamp('odom')
-        if self.settings.lockstep and self._latest is not None and self._latest.stamp == stamp:
+        lockstep = self.settings.lockstep
+        stamp = self._inputs.stamp('odom') if lockstep else 0
+        if lockstep and self._latest is not None and self._latest.stamp == stamp:
             return self._latest  # the state came again because the answer was lost
         command, reason = self._choose(now)
         self._latest = Decision(command, reason, self._to_be_published(reason), stamp)
         return self._latest
+
+    def rehearse(self) -> None:
+        """Do the work of the latest decision again, with what has come since, for no result."""
+        if self.intention is None or not isinstance(self._policy, ValuePolicy):
+            return  # other policies may remember what they saw
+        with contextlib.suppress(Exception):  # the decision itself will tell
+            self._read_state()
+            self._policy.act(self.intention.state)
 
     def stall(self) -> Decision:
         """Return what to do when decide() is not called any more; another thread may ask."""
@@ -145,21 +163,26 @@ class Controller:
         return self._drive(self._on_plan(self._coming_state(state, now), now))
 
     def _known_state(self, now: int) -> CrowdState:
-        """Return the world as the inputs tell it, at their own times; begin a run if it is new."""
-        settings = self.settings
-        odometry, pedestrians, obstacles, goal = map(
-            self._inputs.newest, ('odom', 'pedestrians', 'obstacles', 'goal_pose')
-        )
-        state = crowd_state(
-            odometry, goal, pedestrians, obstacles, settings.body, settings.planning_frame,
-            locate=self._locate,
-        )  # fmt: skip
+        """Return the world at the inputs' own times, the nearest agents; begin a run if new."""
+        settings, goal = self.settings, self._inputs.newest('goal_pose')
+        state = self._read_state()
         moment = self._inputs.stamp('odom') if settings.lockstep else now
         if self._run.begins(goal, moment, 1.5 * settings.period if settings.lockstep else None):
             self.goal_reached = False
             self._policy.reset()
         state.time[:] = self._run.time
         return self._with_map(nearest_agents(state, settings.max_agents))
+
+    def _read_state(self) -> CrowdState:
+        """Return the world as the inputs tell it, at their own times."""
+        settings = self.settings
+        odometry, pedestrians, obstacles, goal = map(
+            self._inputs.newest, ('odom', 'pedestrians', 'obstacles', 'goal_pose')
+        )
+        return crowd_state(
+            odometry, goal, pedestrians, obstacles, settings.body, settings.planning_frame,
+            locate=self._locate,
+        )  # fmt: skip
 
     def _with_map(self, state: CrowdState) -> CrowdState:
         """Return the state with what the map shows near the robot, where that is wanted."""

@@ -9,6 +9,9 @@ from socialnav_core.config import Scenario
 from socialnav_core.simulation import resolve_scenario
 from socialnav_core.simulation.limits import Limits
 
+STALL_SHARE = 0.8
+"""Part of input_timeout by which a decision may be overdue."""
+
 
 @dataclasses.dataclass(frozen=True)
 class ControllerSettings:
@@ -47,8 +50,12 @@ class ControllerSettings:
 
     @property
     def stall_timeout(self) -> float:
-        """Return the time without a decision after which something must be wrong, s."""
-        return self.period + self.input_timeout
+        """
+        Return the time without a decision after which something must be wrong, s.
+
+        It ends before input_timeout and a period are over, for the stop must be heard by then.
+        """
+        return self.period + STALL_SHARE * self.input_timeout
 
 
 def controller_settings(values: dict[str, Any]) -> ControllerSettings:

@@ -8,19 +8,25 @@ from typing import Any
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
 from rclpy.lifecycle import LifecycleNode
+from rclpy.qos import QoSProfile
+from rclpy.subscription import Subscription
 from rclpy.timer import Timer
 from std_srvs.srv import Trigger
 
 from socialnav import qos
+from socialnav.alarm import Alarm
 from socialnav.controller import Controller
 from socialnav.controller_settings import controller_settings
 from socialnav.diagnostics import controller_facts
 from socialnav.frames import not_asked
+from socialnav.inputs import AGEING
 from socialnav.models import ready_policy
 from socialnav.parameters import fixed_values, POLICY_PARAMETERS
 from socialnav.policy_outputs import PolicyOutputs
 from socialnav.punctuality import Punctuality
+from socialnav.rehearsal import Rehearsal
 from socialnav.transforms import Transforms
+from socialnav.unread import Unread
 from socialnav.watchdog import Watchdog
 from socialnav_msgs.msg import AgentStates
 
@@ -48,6 +54,8 @@ class Driver:
         self.lockstep = settings.lockstep
         self.node = node
         self.timer: Timer | None = None
+        self.expiry: Alarm | None = None
+        self.rehearsal: Rehearsal | None = None
         self.watchdog: Watchdog | None = None
         self.punctuality = Punctuality(settings.period)
         self.outputs = PolicyOutputs(node, self.controller, values, on_change)
@@ -66,11 +74,20 @@ class Driver:
             inputs.append(('plan', Path, qos.PLAN))
         if self.controller.settings.use_map:
             inputs.append(('map', OccupancyGrid, qos.MAP))
-        self.subscriptions = [
-            self.node.create_subscription(kind, name, partial(self.on_input, name), profile)
-            for name, kind, profile in inputs
-        ]
+        self.subscriptions = [self.create_input(*one) for one in inputs]
         self.cancelling = self.node.create_service(Trigger, '~/cancel_goal', self.on_cancel)
+
+    def create_input(self, name: str, kind: type, profile: QoSProfile) -> Subscription:
+        """
+        Make a subscription; what comes often is not read until it is wanted.
+
+        :param name: topic.
+        :param kind: type of its messages.
+        :param profile: quality of service.
+        """
+        raw = name in AGEING and not self.lockstep
+        callback = partial(self.on_unread, name, kind) if raw else partial(self.on_input, name)
+        return self.node.create_subscription(kind, name, callback, profile, raw=raw)
 
     def start(self, values: dict[str, Any]) -> None:
         """
@@ -85,6 +102,8 @@ class Driver:
             settings = self.controller.settings
             self.punctuality = Punctuality(settings.period)
             self.timer = self.node.create_timer(settings.period, self.on_tick)
+            self.expiry = Alarm(self.node, self.on_expiry)
+            self.rehearsal = Rehearsal(self.node, self.timer, self.controller)
             self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
 
     def use(self, values: dict[str, Any]) -> None:
@@ -95,7 +114,8 @@ class Driver:
         """
         self.controller.settings = controller_settings(values)
         if self.watchdog is not None:
-            self.watchdog.timeout = self.controller.settings.stall_timeout
+            self.watchdog.stop()
+            self.watchdog = Watchdog(self.controller.settings.stall_timeout, self.on_stall)
 
     def stop(self) -> None:
         """Stop the robot: a zero command is the last one."""
@@ -105,6 +125,8 @@ class Driver:
         if self.watchdog is not None:
             self.watchdog.stop()
             self.node.destroy_timer(self.timer)
+            self.expiry.close()
+            self.rehearsal.close()
             self.watchdog = None
         self.outputs.end()
 
@@ -128,6 +150,16 @@ class Driver:
         if self.lockstep and self.controller.take_complete_state():
             self.on_tick()
 
+    def on_unread(self, name: str, kind: type, data: bytes) -> None:
+        """
+        Store a message as it came.
+
+        :param name: its topic.
+        :param kind: its type.
+        :param data: the message, serialized.
+        """
+        self.on_input(name, Unread(kind, data))
+
     def on_cancel(self, _: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
         """
         Forget the goal.
@@ -150,9 +182,26 @@ class Driver:
             self.outputs.publish(self.controller.decide(now))
             return
         self.punctuality.tick(time.monotonic(), lateness(self.timer))
-        self.outputs.publish(self.controller.decide(now))
-        self.punctuality.command(self.outputs.latest_command, self.controller.input_ages(now))
+        decision = self.controller.decide(now)
+        self.outputs.publish(decision)
         self.watchdog.feed()
+        drives = decision.reason is None
+        ages = self.controller.input_ages(now) if drives else {}  # else nobody has read them
+        self.punctuality.command(self.outputs.latest_command, ages)
+        if drives:
+            self.expiry.set(self.controller.time_left(now))
+            self.rehearsal.expect()
+
+    def on_expiry(self) -> None:
+        """Stop the robot when an input has become too old: the next tick may be a period away."""
+        if not self.running or self.outputs.reason is not None:
+            return
+        now = self.node.get_clock().now().nanoseconds
+        left = self.controller.time_left(now)
+        if left < 0:
+            self.outputs.publish(self.controller.decide(now))
+        else:  # newer inputs have come
+            self.expiry.set(left)
 
     def on_stall(self) -> None:
         """Stop the robot, in the watchdog's thread, while nothing else can."""

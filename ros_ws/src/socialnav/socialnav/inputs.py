@@ -1,11 +1,13 @@
 """The newest message of each input, and what keeps a robot from acting on them."""
 
+import math
 from typing import Any
 
 from geometry_msgs.msg import PoseStamped
 
 from socialnav.controller_settings import ControllerSettings
 from socialnav.stamps import nanoseconds_of
+from socialnav.unread import content
 
 NAMES = ('odom', 'pedestrians', 'obstacles', 'goal_pose')
 OPTIONAL = ('plan', 'map')
@@ -30,7 +32,7 @@ class Inputs:
         Keep a message in place of the earlier one; a goal that was cancelled does not come back.
 
         :param name: one of NAMES or OPTIONAL.
-        :param message: it has a header.
+        :param message: it has a header; odom and pedestrians may be unread.
         """
         if name == 'goal_pose' and message == self._cancelled:
             return
@@ -50,15 +52,17 @@ class Inputs:
 
         :param now: ns, on the clock of the stamps.
         """
-        known = [name for name in (*NAMES, *OPTIONAL) if name in self._newest]
+        known = [name for name in (*NAMES, *OPTIONAL) if self.newest(name) is not None]
         return {name: (now - self.stamp(name)) * 1e-9 for name in known}
 
     def newest(self, name: str) -> Any:
         """
-        Return the newest message of an input, or None.
+        Return the newest message of an input, or None, also where it cannot be read.
 
         :param name: one of NAMES or OPTIONAL.
         """
+        if name in self._newest:
+            self._newest[name] = content(self._newest[name])
         return self._newest.get(name)
 
     def stamp(self, name: str) -> int:
@@ -67,7 +71,7 @@ class Inputs:
 
         :param name: one of NAMES.
         """
-        message = self._newest.get(name)
+        message = self.newest(name)
         return 0 if message is None else nanoseconds_of(message.header.stamp)
 
     def take_complete_state(self) -> bool:
@@ -85,21 +89,37 @@ class Inputs:
         :param now: ns, on the clock of the stamps.
         :param settings: time-outs and what is required.
         """
-        for name in (*AGEING, 'goal_pose'):
+        wanted = [*AGEING, 'goal_pose']
+        wanted += ['obstacles'] * settings.require_obstacles + ['map'] * settings.use_map
+        for name in wanted:
             if name not in self._newest:
                 return f'no {name}'
-        if settings.require_obstacles and 'obstacles' not in self._newest:
-            return 'no obstacles'
-        if settings.use_map and 'map' not in self._newest:
-            return 'no map'
+        for name in AGEING:  # read only now, since nothing is missing
+            if self.newest(name) is None:
+                return f'{name}: a message that cannot be read'
         if settings.lockstep:
             return None
+        ages, timeouts = self.ages(now), self._timeouts(settings)
+        complaints = (age_complaint(name, ages[name], timeouts[name]) for name in timeouts)
+        return next(filter(None, complaints), None)
+
+    def time_left(self, now: int, settings: ControllerSettings) -> float:
+        """
+        Return the time until the first input is too old, s; negative once one is.
+
+        :param now: ns, on the clock of the stamps.
+        :param settings: time-outs.
+        """
+        ages = self.ages(now)
+        limits = self._timeouts(settings)
+        return min(limits[name] - ages.get(name, math.inf) for name in limits)
+
+    def _timeouts(self, settings: ControllerSettings) -> dict[str, float]:
+        """Return the largest age of each input that ages, s."""
         timeouts = dict.fromkeys(AGEING, settings.input_timeout)
         if settings.obstacles_timeout > 0 and 'obstacles' in self._newest:
             timeouts['obstacles'] = settings.obstacles_timeout
-        ages = self.ages(now)
-        complaints = (age_complaint(name, ages[name], timeouts[name]) for name in timeouts)
-        return next(filter(None, complaints), None)
+        return timeouts
 
     def plan_complaint(self, now: int, settings: ControllerSettings) -> str | None:
         """

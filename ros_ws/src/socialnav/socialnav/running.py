@@ -8,7 +8,8 @@ import threading
 
 import rclpy
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.executors import SingleThreadedExecutor
+from rclpy.executors import Executor
+from rclpy.experimental import EventsExecutor
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
@@ -61,10 +62,13 @@ def spin(node: Node, stop: threading.Event) -> None:
     """
     Serve a node until it should stop, then close it.
 
+    rclpy's executor of events costs half the processor time of those that build a wait set in
+    Python before each callback.
+
     :param node: it has close(), which may still publish.
     :param stop: set when it should stop.
     """
-    executor = SingleThreadedExecutor()
+    executor = EventsExecutor()
     executor.add_node(node)
     try:
         while not stop.is_set():
@@ -75,7 +79,7 @@ def spin(node: Node, stop: threading.Event) -> None:
         node.destroy_node()
 
 
-def serve(executor: SingleThreadedExecutor, node: Node) -> None:
+def serve(executor: Executor, node: Node) -> None:
     """
     Serve one callback of a node, or wait for a while.
 

@@ -96,6 +96,21 @@ def test_a_stale_input_gives_zero_velocity(policy, name):
     assert decision.reason == f'{name} older than 0.5 s'
 
 
+def test_inputs_can_be_acted_on_until_the_oldest_that_ages_is_too_old(policy):
+    controller = controller_of(policy)
+    controller.store('odom', messages_of(random_state(0), SECOND + SECOND // 5)['odom'])
+    assert controller.time_left(SECOND + SECOND // 4) == pytest.approx(0.25)
+    assert controller.time_left(2 * SECOND) == pytest.approx(-0.5)
+    controller.settings = dataclasses.replace(SETTINGS, obstacles_timeout=0.3)
+    assert controller.time_left(SECOND + SECOND // 4) == pytest.approx(0.05)
+
+
+@pytest.mark.parametrize(('period', 'timeout'), [(0.1, 0.5), (1.0, 0.05), (0.01, 10.0)])
+def test_a_stall_is_noticed_after_a_period_and_before_the_robot_must_have_stopped(period, timeout):
+    settings = dataclasses.replace(SETTINGS, period=period, input_timeout=timeout)
+    assert period < settings.stall_timeout < period + timeout
+
+
 def test_an_input_from_the_future_gives_zero_velocity(policy):
     assert 'future' in controller_of(policy, stamp=5 * SECOND).decide(SECOND).reason
 

@@ -8,6 +8,7 @@ import time
 from driving import Drive
 import numpy as np
 import pytest
+from robot import speed
 from rosgraph_msgs.msg import Clock
 import stops
 from worlds import random_state
@@ -65,3 +66,24 @@ def test_a_clock_that_stands_or_jumps_back_stops_the_robot_until_it_goes_on(grap
     drive.moves(state, 'the clock goes on')
     simulated.offset -= 100.0
     drive.moves(state, 'the clock has jumped back, and the stamps with it')
+
+
+@pytest.mark.parametrize('simulated', [False, True])
+def test_an_input_that_stops_stops_the_robot_at_its_time_out_and_not_at_the_next_tick(
+    graph, simulated
+):
+    drive, state = Drive(graph), random_state(0)
+    if simulated:
+        clock = graph.node.create_publisher(Clock, '/clock', qos.CLOCK)
+        drive.robot.now = SimulatedTime(graph, clock).read
+    drive.start(controller_frequency=1.0, input_timeout=0.4, use_sim_time=simulated)
+    drive.moves(state)
+    drive.commands.clear()
+
+    def commanded():
+        drive.robot.publish(state)
+        graph.spin(0.05)
+        return drive.commands
+
+    graph.wait(commanded, 'command of a tick')
+    graph.wait(lambda: not speed(drive.commands[-1]), 'stop before the next tick', deadline=0.8)
