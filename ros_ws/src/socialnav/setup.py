@@ -41,11 +41,11 @@ setup(
     license='Apache-2.0',
     entry_points={
         'console_scripts': [
-            'demo = socialnav.demo:main',
-            'obstacle_node = socialnav.obstacle_node:main',
-            'policy_node = socialnav.policy_node:main',
-            'simulator_node = socialnav.simulator_node:main',
-            'tracker_node = socialnav.tracker_node:main',
+            'demo = socialnav.programs:demo',
+            'obstacle_node = socialnav.programs:obstacle_node',
+            'policy_node = socialnav.programs:policy_node',
+            'simulator_node = socialnav.programs:simulator_node',
+            'tracker_node = socialnav.programs:tracker_node',
         ],
     },
 )

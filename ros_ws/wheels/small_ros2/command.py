@@ -12,7 +12,7 @@ GROUPS = {
     'param': 'list, print, change and describe parameters',
     'run': 'run an executable of a package',
     'service': 'list and call services',
-    'topic': 'list, describe, print and measure topics',
+    'topic': 'list, describe, print, measure and publish topics',
 }
 """What each group does, by the name of its module, which has add_arguments(parser)."""
 

@@ -2,9 +2,32 @@
 
 from collections.abc import Mapping
 import re
+import time
 from typing import Any
 
+import yaml
+
+from small_ros2.command import CommandError
 from small_ros2.messages import message_class
+
+NOW = 'now'
+"""Stands for the time of a message."""
+
+
+def filled(kind: type, text: str) -> Any:
+    """
+    Return a message with the values that were typed.
+
+    :param kind: class of the message.
+    :param text: YAML of a mapping from field to value.
+    :raises CommandError: when the values do not fit.
+    """
+    message = kind()
+    try:
+        fill(message, yaml.safe_load(text) or {})
+    except (AssertionError, AttributeError, TypeError, ValueError, yaml.YAMLError) as error:
+        raise CommandError(f'Failed to populate field: {error}') from error
+    return message
 
 
 def fill(message: Any, values: Mapping[str, Any]) -> None:
@@ -37,6 +60,9 @@ def fitting(value: Any, present: Any, kind: str) -> Any:
     """
     if '/' not in kind:
         return plain(value, present, kind)
+    if value == NOW and kind == 'builtin_interfaces/Time':
+        present.sec, present.nanosec = divmod(time.time_ns(), 10**9)
+        return present
     if hasattr(present, 'get_fields_and_field_types'):
         fill(present, value)
         return present

@@ -2,13 +2,10 @@
 
 import argparse
 from importlib import import_module
-from typing import Any
-
-import yaml
 
 from small_ros2.clients import response_of
 from small_ros2.command import CommandError
-from small_ros2.filling import fill
+from small_ros2.filling import filled
 from small_ros2.graph import look, node_names, probe, visible
 
 PATIENCE = 10.0
@@ -51,7 +48,7 @@ def call(options: argparse.Namespace) -> None:
     :param options: the parsed command line.
     """
     kind = service_class(options.service_type)
-    request = filled_request(kind, options.values)
+    request = filled(kind.Request, options.values)
     with probe() as node:
         client = node.create_client(kind, options.service_name)
         if not client.service_is_ready():
@@ -74,19 +71,3 @@ def service_class(name: str) -> type:
         return getattr(import_module(f'{package}.srv'), kind.removeprefix('srv/'))
     except (ImportError, AttributeError, TypeError, ValueError) as error:
         raise CommandError('The passed service type is invalid') from error
-
-
-def filled_request(kind: Any, text: str) -> Any:
-    """
-    Return a request with the values that were typed.
-
-    :param kind: class of the service.
-    :param text: YAML of a mapping from field to value.
-    :raises CommandError: when the values do not fit.
-    """
-    request = kind.Request()
-    try:
-        fill(request, yaml.safe_load(text) or {})
-    except (AssertionError, AttributeError, TypeError, ValueError, yaml.YAMLError) as error:
-        raise CommandError(f'Failed to populate field: {error}') from error
-    return request

@@ -4,7 +4,7 @@ import argparse
 
 from rclpy.node import Node
 
-from small_ros2 import topic_echo, topic_hz
+from small_ros2 import topic_echo, topic_hz, topic_pub
 from small_ros2.command import CommandError
 from small_ros2.graph import look, node_names, probe, visible
 
@@ -27,6 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     verb.set_defaults(command=info)
     topic_echo.add_arguments(verbs.add_parser('echo', help='print the messages of a topic'))
     topic_hz.add_arguments(verbs.add_parser('hz', help='print how often messages arrive'))
+    topic_pub.add_arguments(verbs.add_parser('pub', help='publish messages'))
 
 
 def list_topics(options: argparse.Namespace) -> None:

@@ -45,7 +45,8 @@ class Talker:
             for profile in (RELIABLE, UNRELIABLE)
         ]
         self.node.create_publisher(String, '/_secret', 1)
-        self.node.create_subscription(String, '/heard', lambda _: None, 1)
+        self.heard: list[str] = []
+        self.node.create_subscription(String, '/heard', self.on_heard, 10)
         self.node.create_timer(1.0 / RATE, self.talk)
         self.node.declare_parameter('speed', 0.5, SPEED)
         self.node.declare_parameter('waypoints', [1, 2])
@@ -63,6 +64,10 @@ class Talker:
         self.pose.publish(message)
         for voice, word in zip(self.voices, ('reliable', 'unreliable'), strict=True):
             voice.publish(String(data=word))
+
+    def on_heard(self, message: String) -> None:
+        """Keep what was heard."""
+        self.heard.append(message.data)
 
     def on_mute(self, request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
         """Answer with what was asked."""

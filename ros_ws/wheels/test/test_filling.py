@@ -1,5 +1,7 @@
 """Laws of messages that are filled with what was typed."""
 
+import time
+
 from geometry_msgs.msg import Point, Polygon, PoseStamped
 import pytest
 from sensor_msgs.msg import LaserScan
@@ -26,6 +28,15 @@ def test_a_message_is_filled_with_what_it_is_printed_as() -> None:
     scan.header.frame_id = 'laser'
     fill(copy, yaml.safe_load(message_text(scan, None)))
     assert copy == scan
+
+
+def test_now_is_the_time_of_a_stamp() -> None:
+    message = PoseStamped()
+    before = time.time()
+    fill(message, {'header': {'stamp': 'now', 'frame_id': 'now'}})
+    stamp = message.header.stamp.sec + message.header.stamp.nanosec * 1e-9
+    assert before - 1e-6 <= stamp <= time.time() + 1e-6
+    assert message.header.frame_id == 'now'
 
 
 @pytest.mark.parametrize('values', [{'w': 1.0}, {'x': 'far'}, [1.0]])

@@ -3,7 +3,7 @@
 from command_line import output, refusal
 import pytest
 from small_ros2.command import CommandError
-from small_ros2.service import filled_request
+from small_ros2.filling import filled
 from std_srvs.srv import SetBool
 
 pytestmark = pytest.mark.usefixtures('talker')
@@ -32,4 +32,4 @@ def test_a_type_that_no_package_has_is_refused() -> None:
 @pytest.mark.parametrize('values', ['{dat: true}', '{data: 3}', '{data: [}', '7'])
 def test_values_that_do_not_fit_are_refused(values: str) -> None:
     with pytest.raises(CommandError, match='Failed to populate field: '):
-        filled_request(SetBool, values)
+        filled(SetBool.Request, values)

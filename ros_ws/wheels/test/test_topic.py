@@ -1,9 +1,10 @@
 """Laws of `ros2 topic`."""
 
 import signal
+import time
 
 from command_line import DEADLINE, output, refusal, start, wait_for_line
-from graph_under_test import RATE
+from graph_under_test import RATE, Talker
 import pytest
 import yaml
 
@@ -82,6 +83,30 @@ def test_hz_measures_the_rate() -> None:
     process.kill()
     process.communicate()
     assert rate == pytest.approx(RATE, rel=0.2)
+
+
+def test_one_message_is_published_to_whoever_listens(talker: Talker) -> None:
+    text = output('topic', 'pub', '--once', '/heard', 'std_msgs/msg/String', '{data: hello}')
+    lines = text.removeprefix('Waiting for at least 1 matching subscription(s)...\n')
+    assert lines == (
+        "publisher: beginning loop\npublishing #1: std_msgs.msg.String(data='hello')\n\n"
+    )
+    deadline = time.monotonic() + DEADLINE
+    while 'hello' not in talker.heard:
+        assert time.monotonic() < deadline
+
+
+def test_a_message_is_published_at_a_rate_until_it_is_interrupted() -> None:
+    process = start('topic', 'pub', '-r', '50', '/heard', 'std_msgs/msg/String', '{data: again}')
+    wait_for_line(process, 'publishing #3')
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=DEADLINE)
+    assert (process.returncode, errors) == (2, '')
+
+
+def test_a_message_that_does_not_fit_is_refused_before_anything_is_published() -> None:
+    error = refusal('topic', 'pub', '/heard', 'std_msgs/msg/String', '{text: hello}')
+    assert error.startswith('Failed to populate field: ')
 
 
 @pytest.mark.parametrize(('number', 'status'), [(signal.SIGINT, 2), (signal.SIGTERM, 143)])

@@ -19,13 +19,13 @@ from socialnav.demo_report import row, table, write_json
 from socialnav.episode_recorder import cause
 from socialnav.isolation import isolated_environment
 from socialnav.parameters import DEFAULT_MODEL
+from socialnav.programs import INTERRUPTED
 from socialnav_core.simulation import make_scenario
 
 SILENCE = 180.0
 """Time without a new state after which the demo gives up, s; compiling takes a part of it."""
 BACKLOG = 0.5
 """Time without any message of the world after which all of them have been heard, s."""
-INTERRUPTED = 130
 EXAMPLES = """examples:
   ros2 run socialnav demo
   ros2 run socialnav demo --episodes 20 --scenario crowd20 --model orca --out out/crowd
@@ -40,7 +40,8 @@ class DemoError(RuntimeError):
 
 def main() -> None:
     """Run the demo and leave with its exit code."""
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.default_int_handler)
     options = parse(sys.argv[1:])
     os.environ.update(isolated_environment(os.environ))
     rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)

@@ -73,14 +73,21 @@ def equip(policy: Policy, values: dict[str, Any]) -> None:
 
 def installed(model: str) -> str:
     """
-    Return the folder of a model of this package, or what was given where there is none.
+    Return the folder of a model of this package, or the path or baseline that was given.
 
     :param model: a name is looked up in the share folder and cannot lead out of it; a path stays.
+    :raises ConfigError: a name that nothing has; tells those that there are.
     """
-    if not NAME.fullmatch(model):
+    if model in BASELINES or not NAME.fullmatch(model):
         return model
-    folder = Path(get_package_share_directory('socialnav')) / 'models' / model
-    return str(folder) if os.path.isdir(folder) else model  # no error for what cannot be a path
+    models = Path(get_package_share_directory('socialnav')) / 'models'
+    for folder in (models / model, model):
+        if os.path.isdir(folder):  # no error for what cannot be a path
+            return str(folder)
+    known = sorted(path.name for path in models.glob('*')) if models.is_dir() else []
+    raise ConfigError(
+        f'no model {model!r}: give the folder of a checkpoint or {", ".join([*BASELINES, *known])}'
+    )
 
 
 def example_state(body: RobotBody) -> CrowdState:

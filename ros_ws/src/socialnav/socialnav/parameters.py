@@ -14,6 +14,8 @@ from rcl_interfaces.msg import (
 from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException
 from rclpy.node import Node
 
+from socialnav_core.settings import unknown_key
+
 DEFAULT_MODEL = 'gat4sn'
 
 
@@ -41,6 +43,8 @@ class Entry:
     """Whether it can be changed while the node runs: yes, no or only while it is inactive."""
 
 
+OF_EVERY_NODE = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
+"""How parameters begin that rclpy declares itself."""
 KINEMATICS = ('holonomic', 'differential')
 
 SIMULATOR_PARAMETERS = (
@@ -218,11 +222,27 @@ def declare(
     :param node: whose parameters they are.
     :param table: the entries.
     :param active: tells whether the node drives.
-    :raises ParameterError: a value of the wrong type or outside of its range.
+    :raises ParameterError: a value of the wrong type or outside of its range, or an unknown name.
     """
+    refuse_unknown(node, [entry.name for entry in table])
     values = {entry.name: declared(node, entry) for entry in table}
     node.add_on_set_parameters_callback(lambda changes: judged(table, changes, active()))
     return values
+
+
+def refuse_unknown(node: Node, known: list[str]) -> None:
+    """
+    Raise a ParameterError where a value was given to a parameter that does not exist.
+
+    rclpy ignores it, so that a robot would drive with the default of what was mistyped; nothing
+    that is public in rclpy tells what was given.
+
+    :param node: that has been started with parameters.
+    :param known: names of all parameters of the node.
+    """
+    for name in node._parameter_overrides:
+        if name not in known and not name.startswith(OF_EVERY_NODE):
+            raise ParameterError(unknown_key('', name, known))
 
 
 def declared(node: Node, entry: Entry) -> Any:

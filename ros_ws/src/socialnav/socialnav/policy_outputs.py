@@ -130,7 +130,8 @@ class PolicyOutputs:
         :param note: of the plan.
         """
         if note not in (NO_PLAN, FOLLOWED, self.plan_note):
-            self.node.get_logger().warning(f'{note}; heading for the goal itself')
+            text = f'{note}; heading for the goal itself'
+            self.node.get_logger().warning(text, throttle_duration_sec=1.0)
         self.plan_note = note
 
     def send(self, decision: Decision) -> None:

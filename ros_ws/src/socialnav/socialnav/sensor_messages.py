@@ -2,6 +2,7 @@
 
 import array
 from collections.abc import Callable
+from typing import Any
 
 from geometry_msgs.msg import Point, PoseArray, Quaternion, Vector3
 from geometry_msgs.msg import Pose as PoseMessage
@@ -10,6 +11,7 @@ from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Header
 
 from socialnav.conversions import ConversionError, finite
+from socialnav.detection_types import DetectionType
 from socialnav.stamps import header_message
 from socialnav_core.sensing import Pose, scan_returns, Tracks
 from socialnav_msgs.msg import AgentState, AgentStates
@@ -73,19 +75,17 @@ def detections_message(positions: np.ndarray, nanoseconds: int, frame: str) -> P
     return PoseArray(header=header_message(nanoseconds, frame), poses=poses)
 
 
-def detection_points(message: PoseArray | AgentStates, locate: Located) -> np.ndarray:
+def detection_points(message: Any, kind: DetectionType, locate: Located) -> np.ndarray:
     """
     Return where somebody was seen, m, (detections, 2).
 
     :param message: positions; everything else in it is not looked at.
+    :param kind: its type.
     :param locate: tells where the frame of the message was.
     :raises ConversionError: a position that cannot be, or a frame that is unknown.
     """
-    if isinstance(message, PoseArray):
-        places = [pose.position for pose in message.poses]
-    else:
-        places = [agent.position for agent in message.agents]
-    points = finite('detections', 'position', [(place.x, place.y) for place in places])
+    places = [(place.x, place.y) for place in kind.places(message)]
+    points = finite('detections', 'position', places)
     return locate(message.header).placed(points.reshape(-1, 2))
 
 

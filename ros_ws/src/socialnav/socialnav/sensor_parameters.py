@@ -2,6 +2,7 @@
 
 import math
 
+from socialnav.detection_types import DETECTION_TYPES
 from socialnav.parameters import Entry
 
 FRAME = Entry('planning_frame', 'odom', 'frame of odom, and of what is published')
@@ -57,8 +58,8 @@ OBSTACLE_PARAMETERS = (
 
 TRACKER_PARAMETERS = (
     Entry(
-        'source', 'poses', 'type of detections: PoseArray, or AgentStates without velocities',
-        choices=('poses', 'agents'),
+        'source', 'poses', 'type of detections, or the package that has it',
+        choices=tuple(DETECTION_TYPES),
     ),
     FRAME,
     Entry('base_frame', 'base_link', 'frame of the robot: detections may be in it'),

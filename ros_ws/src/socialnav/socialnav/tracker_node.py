@@ -1,13 +1,14 @@
 """The node that turns detections of people into pedestrians with names and velocities."""
 
 import sys
+from typing import Any
 
-from geometry_msgs.msg import PoseArray
 from nav_msgs.msg import Odometry
 from rclpy.node import Node
 
 from socialnav import qos
 from socialnav.conversions import ConversionError
+from socialnav.detection_types import DETECTION_TYPES, message_class
 from socialnav.locating import Locator
 from socialnav.parameters import declare
 from socialnav.running import run
@@ -29,7 +30,7 @@ class TrackerNode(Node):
         """
         Listen.
 
-        :raises ParameterError: a parameter that cannot be used.
+        :raises ValueError: a parameter that cannot be used.
         """
         super().__init__('tracker_node')
         self.values = declare(self, TRACKER_PARAMETERS)
@@ -38,8 +39,10 @@ class TrackerNode(Node):
         self.locator = Locator(*frames, self.values['pose_timeout'])
         self.tracker = Tracker(self.settings())
         self.pedestrians = self.create_publisher(AgentStates, 'pedestrians', qos.PEDESTRIANS)
-        kind = PoseArray if self.values['source'] == 'poses' else AgentStates
-        self.create_subscription(kind, 'detections', self.on_detections, qos.SENSOR_INPUT)
+        self.kind = DETECTION_TYPES[self.values['source']]
+        self.create_subscription(
+            message_class(self.kind), 'detections', self.on_detections, qos.SENSOR_INPUT
+        )
         self.create_subscription(Odometry, 'odom', self.on_odometry, qos.SENSOR_INPUT)
 
     def settings(self) -> TrackerSettings:
@@ -66,14 +69,14 @@ class TrackerNode(Node):
         except ConversionError as error:
             self.refuse(error)
 
-    def on_detections(self, message: PoseArray | AgentStates) -> None:
+    def on_detections(self, message: Any) -> None:
         """
         Answer detections; nobody detected is an answer too.
 
         :param message: where somebody was seen.
         """
         try:
-            points = detection_points(message, self.locator.frame)
+            points = detection_points(message, self.kind, self.locator.frame)
         except ConversionError as error:
             self.refuse(error)
             return

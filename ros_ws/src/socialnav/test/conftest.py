@@ -5,6 +5,7 @@ import os
 
 from graph import Graph, open_graph
 import pytest
+import stops
 
 from socialnav.isolation import isolated_environment
 
@@ -16,3 +17,17 @@ def graph() -> Iterator[Graph]:
     """Yield a node that listens and speaks, and starts others."""
     with open_graph() as graph:
         yield graph
+
+
+@pytest.fixture(params=[1, *(pytest.param(n, marks=pytest.mark.slow) for n in range(2, 6))])
+def repetition(request: pytest.FixtureRequest) -> int:
+    """Repeat what must never go wrong: once in a short run, five times in a long one."""
+    return request.param
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Tell how soon robots were stopped."""
+    for lines in (stops.table(), *(text.splitlines() for text in stops.measured)):
+        if lines:
+            terminalreporter.section('stop times')
+            terminalreporter.write_line('\n'.join(lines))

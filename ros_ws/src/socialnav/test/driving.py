@@ -1,8 +1,11 @@
 """A policy node that drives as a test wants it to."""
 
+import time
+
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Twist
 from robot import Robot, speed
+import stops
 
 from socialnav import qos
 
@@ -12,8 +15,15 @@ class Drive:
 
     def __init__(self, graph):
         self.graph, self.robot = graph, Robot(graph)
-        self.commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
+        self.commands, self.stopped = [], None
+        graph.node.create_subscription(Twist, 'cmd_vel', self.on_command, qos.COMMAND)
         self.health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
+
+    def on_command(self, command):
+        """Keep a command, and when the robot was told to stand."""
+        self.commands.append(command)
+        if self.stopped is None and not speed(command):
+            self.stopped = time.monotonic()
 
     def start(self, command=None, **parameters):
         """Start a policy node, or a program that is like one."""
@@ -43,6 +53,8 @@ class Drive:
         """Wait until the robot moves."""
         self.until(True, 'driving', state, what, **options)
 
-    def stands(self, reason, state, what, **options):
-        """Wait until the robot stands for a reason."""
+    def stands(self, reason, state, what, within=stops.LIMIT, **options):
+        """Wait until the robot stands for a reason; it must be told so soon enough."""
+        began, self.stopped = time.monotonic(), None
         self.until(False, reason, state, what, **options)
+        stops.note(what, self.stopped - began, within)

@@ -5,8 +5,11 @@ import re
 import shlex
 import subprocess
 
+from geometry_msgs.msg import PoseStamped
 from graph import open_graph
 import pytest
+
+from socialnav import qos
 
 README = (Path(__file__).parents[1] / 'README.md').read_text()
 POLICY, SIMULATOR = '/policy_node', '/simulator_node'
@@ -55,6 +58,17 @@ def test_an_episode_can_be_started_and_says_so(nodes):
 def test_commands_can_be_heard(nodes):
     text = ros2(*of_readme('topic echo'), '--once')
     assert text.startswith('linear:\n  x: ') and 'angular:\n' in text and text.endswith('---\n')
+
+
+def test_a_goal_can_be_given(nodes):
+    goals = nodes.listen(PoseStamped, 'goal_pose', qos.GOAL)
+    assert 'publishing #1: geometry_msgs.msg.PoseStamped(' in ros2(*of_readme('topic pub'))
+
+    def taken(goal):
+        place, stamp = goal.pose.position, goal.header.stamp
+        return (place.x, place.y) == (2.0, 1.0) and stamp.sec > 0
+
+    nodes.wait(lambda: sum(map(taken, goals)) >= 2, 'goal of the operator and of the simulator')
 
 
 def test_a_node_tells_what_it_offers_and_a_topic_who_uses_it(nodes):

@@ -153,12 +153,22 @@ def test_a_goal_reached_once_stays_reached(policy):
     assert controller.decide(SECOND).reason == 'goal reached'
 
 
-def test_a_goal_with_a_repeated_stamp_begins_no_new_run(policy):
+def test_a_repeated_goal_begins_no_new_run(policy):
     controller = controller_of(policy)
     controller.decide(SECOND)
     give(controller, random_state(0), SECOND)
     controller.decide(SECOND)
     assert policy.resets == 1
+
+
+def test_another_goal_begins_a_new_run_even_where_it_has_the_stamp_of_the_one_before(policy):
+    state = random_state(0)
+    state.robot_goal[:] = state.robot_position + 0.1
+    controller = controller_of(policy, state=state)
+    assert controller.decide(SECOND).reason == 'goal reached'
+    state.robot_goal[:] += 3.0
+    give(controller, state, SECOND)
+    assert controller.decide(SECOND).reason is None and policy.resets == 2
 
 
 def test_everybody_is_moved_to_the_moment_of_the_command(policy):

@@ -11,6 +11,8 @@ import pytest
 from robot import speed
 from worlds import random_state
 
+pytestmark = pytest.mark.usefixtures('repetition')
+
 
 @pytest.fixture(scope='module')
 def drive():
@@ -90,6 +92,11 @@ def duplicate(messages):
 
 
 def test_any_number_of_agents_with_any_ids_can_be_driven_among(drive):
+    drives_among_any_number(drive)
+
+
+def drives_among_any_number(drive):
+    """Show a robot nobody, somebody twice, and very many."""
     drive.moves(random_state(0, pedestrians=0, obstacles=0), 'nobody at all')
     drive.moves(random_state(0), 'one id for all', change=duplicate)
     crowd = random_state(0, pedestrians=500)
@@ -108,7 +115,7 @@ def test_a_goal_within_an_obstacle_is_approached_and_nothing_breaks(drive):
         drive.robot.publish(state)
         drive.graph.spin(0.05)
     assert len(drive.commands) > 5
-    assert drive.health[-1].status[0].message in ('driving', 'no goal_pose')
+    assert drive.health[-1].status[0].message == 'driving'
 
 
 def test_a_goal_that_changes_ten_times_a_second_is_followed(drive):

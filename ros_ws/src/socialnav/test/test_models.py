@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import torch
 
-from socialnav.controller_settings import real_time_settings
+from socialnav.controller_settings import controller_settings, real_time_settings
 from socialnav.models import example_state, installed, ready_policy
 from socialnav.parameters import DEFAULT_MODEL, POLICY_PARAMETERS
 
@@ -35,6 +35,11 @@ def test_a_name_is_that_of_a_model_of_the_package_wherever_the_node_was_started(
     assert Path(installed(DEFAULT_MODEL)) == SHARE / DEFAULT_MODEL
 
 
+def test_a_name_that_nothing_has_is_answered_with_those_that_there_are():
+    with pytest.raises(ValueError, match=f'orca, straight_line, .*{DEFAULT_MODEL}'):
+        load('nobody')
+
+
 @pytest.mark.parametrize('name', ['', '.', '..', '../models', f'../models/{DEFAULT_MODEL}', '/'])
 def test_nothing_but_a_name_is_looked_up_in_the_share_folder(name):
     assert installed(name) == name
@@ -57,6 +62,14 @@ def test_whatever_is_no_checkpoint_is_one_line_about_what_could_be_given(name):
     with pytest.raises(ValueError, match='no model') as error:
         load(name)
     assert '\n' not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    'name', ['/etc/passwd', '../hard', f'{SHARE}/{DEFAULT_MODEL}/config.yaml']
+)
+def test_a_scenario_is_a_name_and_never_a_file(name):
+    with pytest.raises(ValueError, match='unknown scenario'):
+        controller_settings(VALUES | {'lockstep': True, 'scenario': name})
 
 
 def test_the_horizon_of_screening_is_as_saved_unless_another_is_asked_for():

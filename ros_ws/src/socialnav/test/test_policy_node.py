@@ -5,6 +5,7 @@ import math
 import signal
 
 from diagnostic_msgs.msg import DiagnosticArray
+from driving import Drive
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from graph import DEADLINE
 from managed import change_parameter
@@ -14,11 +15,13 @@ import pytest
 from robot import Robot, speed
 from std_msgs.msg import Bool
 from std_srvs.srv import SetBool
+from test_faults import drives_among_any_number
 from test_plan import plan_of
 from worlds import random_state
 
 from socialnav import qos
 from socialnav.occupancy import map_message
+from socialnav.parameters import DEFAULT_MODEL
 from socialnav.reasons import STALLED
 from socialnav.stamps import nanoseconds_of
 
@@ -81,6 +84,10 @@ def test_bad_inputs_stop_the_robot_and_good_ones_let_it_go_on(graph):
         graph.wait(publish, f'reaction to {frame}')
 
 
+def test_the_default_model_drives_among_any_number_of_agents_too(graph):
+    drives_among_any_number(Drive(graph).start(model=DEFAULT_MODEL))
+
+
 def test_a_stamped_command_can_be_had_instead(graph):
     commands = graph.listen(TwistStamped, 'cmd_vel', qos.COMMAND)
     graph.start('policy_node', model='orca', enable_stamped_cmd_vel=True)
@@ -136,6 +143,7 @@ def test_a_speed_limit_that_is_changed_live_is_kept(graph, driving):
     ('name', 'parameters', 'text'),
     [
         ('policy_node', {'controller_frequency': -1.0}, 'controller_frequency must be'),
+        ('policy_node', {'max_sped': 0.3}, 'did you mean max_speed'),
         ('policy_node', {'threads': 'many'}, 'threads must be a whole number'),
         ('simulator_node', {'scenario': 'hart'}, 'did you mean hard'),
         ('simulator_node', {'kinematics': 'legs'}, 'kinematics must be one of'),

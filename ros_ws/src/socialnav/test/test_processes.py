@@ -1,20 +1,40 @@
 """Laws of processes that die and come back, of the shared memory that they use, and of signals."""
 
+import math
 import signal
+import time
 
 from geometry_msgs.msg import Twist
 from managed import change_state, state_of
 from nav_msgs.msg import Odometry
+from processes import wait_until_loading
 import pytest
 from robot import drives, speed
 from shared_memory import owned_files
+import stops
 
 from socialnav import qos
+from socialnav.parameters import SIMULATOR_PARAMETERS
+from socialnav.programs import INTERRUPTED
+from socialnav_core.simulation import make_scenario
 from socialnav_msgs.msg import EpisodeResult
 
+pytestmark = pytest.mark.usefixtures('repetition')
+
 POLICY = {'model': 'orca', 'bounds': 7.5}
+NODES = ('policy_node', 'simulator_node', 'obstacle_node', 'tracker_node')
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
-WAY_TO = {'unconfigured': (), 'inactive': ('configure',), 'active': ('configure', 'activate')}
+WAY_TO = {
+    'unconfigured': (),
+    'inactive': ('configure',),
+    'active': ('configure', 'activate'),
+    'finalized': ('shutdown',),
+}
+BRAKING = next(one.default for one in SIMULATOR_PARAMETERS if one.name == 'cmd_vel_timeout')
+"""Time without a command after which the simulated robot brakes, s."""
+ALLOWANCE = 0.15
+"""Time of a command and of two states, s."""
+PREFERRED_SPEED = make_scenario('hard').robot_preferred_speed
 
 
 @pytest.fixture
@@ -38,6 +58,12 @@ def moves(graph, odometry, moving=True):
     )
 
 
+def distance(one, other):
+    """Return how far apart two places of the robot are, m."""
+    here, there = one.pose.pose.position, other.pose.pose.position
+    return math.hypot(here.x - there.x, here.y - there.y)
+
+
 def end(graph, process, number):
     """End a node with a signal; nothing of it may stay."""
     files = owned_files(process)
@@ -51,11 +77,17 @@ def end(graph, process, number):
 def test_a_robot_whose_policy_or_simulator_is_killed_stands_until_there_is_another(
     graph, commands, odometry
 ):
+    results = graph.listen(EpisodeResult, 'episode_result', qos.LATCHED_RECORDING)
     simulator = graph.start('simulator_node')
     policy = graph.start('policy_node', **POLICY)
     moves(graph, odometry)
+    start, killed = odometry[-1], time.time()
     graph.kill(policy)
     moves(graph, odometry, moving=False)
+    # a process that is killed while it publishes may hold up all others, and the world with them
+    stops.note('policy killed: the simulated robot stands', time.time() - killed, math.inf)
+    assert distance(start, odometry[-1]) < PREFERRED_SPEED * (BRAKING + ALLOWANCE)
+    assert not results, 'it stands because its episode is over'
     policy = graph.start('policy_node', **POLICY)
     moves(graph, odometry)
     graph.kill(simulator)
@@ -71,7 +103,7 @@ def test_a_robot_whose_policy_or_simulator_is_killed_stands_until_there_is_anoth
 @pytest.mark.parametrize('lockstep', [False, True])
 def test_both_may_be_killed_at_once_and_start_again_in_any_order(graph, odometry, order, lockstep):
     parameters = {'simulator': {'lockstep': lockstep}, 'policy': POLICY | {'lockstep': lockstep}}
-    for _ in range(3):
+    for _ in range(2):
         nodes = []
         for name in order:
             nodes.append(graph.start(f'{name}_node', **parameters[name]))
@@ -79,6 +111,16 @@ def test_both_may_be_killed_at_once_and_start_again_in_any_order(graph, odometry
         moves(graph, odometry)
         for node in nodes:
             graph.kill(node)
+
+
+def test_a_policy_in_lockstep_drives_on_in_the_world_of_another_simulator(graph, odometry):
+    simulator = graph.start('simulator_node', lockstep=True)
+    graph.start('policy_node', lockstep=True, **POLICY)
+    moves(graph, odometry)
+    graph.kill(simulator)
+    results = graph.listen(EpisodeResult, 'episode_result', qos.LATCHED_RECORDING)
+    graph.start('simulator_node', lockstep=True, episodes=1)
+    graph.wait(lambda: results, 'end of an episode')
 
 
 def test_an_episode_in_lockstep_goes_on_with_another_policy(graph, odometry):
@@ -90,6 +132,32 @@ def test_an_episode_in_lockstep_goes_on_with_another_policy(graph, odometry):
     assert not results
     graph.start('policy_node', lockstep=True, model='orca', scenario='crowd20')
     graph.wait(lambda: results, 'end of the episode')
+
+
+@pytest.mark.parametrize('number', SIGNALS)
+@pytest.mark.parametrize('name', [*NODES, 'demo'])
+def test_a_signal_while_a_program_is_still_being_loaded_ends_it_without_a_word(
+    graph, name, number
+):
+    process = graph.start(name)
+    wait_until_loading(process, name)
+    graph.kill(process, number)
+    assert process.wait() == (INTERRUPTED if name == 'demo' else 0)
+    assert process.stderr.read() == ''
+
+
+@pytest.mark.parametrize(
+    'number', [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.slow)]
+)
+def test_a_signal_while_the_model_is_being_prepared_is_obeyed_before_the_robot_moves(
+    graph, commands, number
+):
+    graph.start('simulator_node')
+    policy = graph.start('policy_node')
+    graph.wait(lambda: 'policy_node' in graph.node.get_node_names(), 'node')
+    end(graph, policy, number)
+    graph.spin(0.3)
+    assert not any(map(speed, commands))
 
 
 @pytest.mark.slow

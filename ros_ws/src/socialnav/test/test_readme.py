@@ -7,6 +7,7 @@ import re
 import pytest
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
+from socialnav.detection_types import DETECTION_TYPES
 from socialnav.parameters import POLICY_PARAMETERS, SIMULATOR_PARAMETERS
 from socialnav.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
 
@@ -20,9 +21,20 @@ NODES = {
     'policy_node': {'model': 'orca', 'use_map': True},
 }  # fmt: skip
 SOURCES = [
-    ('obstacle_node', {'source': 'scan'}), ('obstacle_node', {'source': 'grid'}),
-    ('tracker_node', {'source': 'poses'}), ('tracker_node', {'source': 'agents'}),
-]  # fmt: skip
+    ('obstacle_node', {'source': 'scan'}),
+    ('obstacle_node', {'source': 'grid'}),
+    *(
+        pytest.param(
+            'tracker_node',
+            {'source': source},
+            marks=pytest.mark.skipif(
+                find_spec(kind.package) is None,
+                reason=f'{kind.package} is not installed: no wheel has it',
+            ),
+        )
+        for source, kind in DETECTION_TYPES.items()
+    ),
+]
 
 
 def section(name):

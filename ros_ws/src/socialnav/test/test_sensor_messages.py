@@ -8,6 +8,7 @@ import pytest
 from worlds import random_state
 
 from socialnav.conversions import agents_message, ConversionError, odometry_message
+from socialnav.detection_types import DETECTION_TYPES
 from socialnav.locating import Locator
 from socialnav.sensor_messages import (
     detection_points,
@@ -30,6 +31,12 @@ def locator():
     result = Locator('odom', 'base_link', 0.2)
     result.store(odometry_message(random_state(0), SECOND, 'odom', 'base_link'))
     return result
+
+
+def detected(message, locator):
+    """Return where somebody was seen, in the frame of odom."""
+    source = 'poses' if isinstance(message, PoseArray) else 'agents'
+    return detection_points(message, DETECTION_TYPES[source], locator.frame)
 
 
 def test_a_scan_is_read_as_it_was_written():
@@ -55,7 +62,7 @@ def test_a_scan_without_a_measurement_is_refused_with_the_reason():
 
 def test_detections_are_read_as_they_were_written(locator):
     message = detections_message(POSITIONS, SECOND, 'odom')
-    np.testing.assert_array_equal(detection_points(message, locator.frame), POSITIONS)
+    np.testing.assert_array_equal(detected(message, locator), POSITIONS)
 
 
 def test_agents_without_velocities_are_detections_too(locator):
@@ -64,13 +71,13 @@ def test_agents_without_velocities_are_detections_too(locator):
     for agent in message.agents:
         agent.velocity.x = math.nan
     expected = state.position[0][~state.static[0]]
-    np.testing.assert_array_equal(detection_points(message, locator.frame), expected)
+    np.testing.assert_array_equal(detected(message, locator), expected)
 
 
 def test_detections_in_the_frame_of_the_robot_are_where_the_robot_saw_them(locator):
     message = detections_message(POSITIONS, SECOND, 'base_link')
     expected = locator.base(SECOND).placed(POSITIONS)
-    np.testing.assert_allclose(detection_points(message, locator.frame), expected)
+    np.testing.assert_allclose(detected(message, locator), expected)
 
 
 @pytest.mark.parametrize(
@@ -83,12 +90,12 @@ def test_detections_in_the_frame_of_the_robot_are_where_the_robot_saw_them(locat
 )
 def test_detections_that_cannot_be_used_are_refused_with_the_reason(locator, message, reason):
     with pytest.raises(ConversionError, match=reason):
-        detection_points(message, locator.frame)
+        detected(message, locator)
 
 
 def test_nobody_detected_is_no_position(locator):
     empty = PoseArray(header=header_message(SECOND, 'odom'))
-    assert detection_points(empty, locator.frame).shape == (0, 2)
+    assert detected(empty, locator).shape == (0, 2)
 
 
 def test_tracks_become_pedestrians_with_their_names_and_velocities():

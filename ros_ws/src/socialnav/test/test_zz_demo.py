@@ -23,9 +23,12 @@ FIELDS = {
 }  # fmt: skip
 
 
+ISOLATION = ('ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE')
+
+
 def demo(*arguments):
-    """Return a running demo in a domain of its own choice."""
-    environment = {name: os.environ[name] for name in os.environ if name != 'ROS_DOMAIN_ID'}
+    """Return a running demo that has to keep to itself, in a domain of its own choice."""
+    environment = {name: os.environ[name] for name in os.environ if name not in ISOLATION}
     return subprocess.Popen(
         ['timeout', '-k', '5', '150', str(DEMO), *map(str, arguments)],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment,
@@ -50,6 +53,11 @@ def wait_for_nodes(process):
         assert time.monotonic() < deadline and process.poll() is None
         time.sleep(0.05)
     return nodes
+
+
+def variables_of(number):
+    """Return the environment of a process, as NAME=value."""
+    return Path(f'/proc/{number}/environ').read_text().split('\0')
 
 
 def alive(number):
@@ -134,6 +142,16 @@ def test_the_demo_fails_with_the_reason_when_there_is_no_such_model(tmp_path):
     process = demo('--model', 'nobody', '--out', tmp_path)
     _, errors = process.communicate()
     assert process.returncode == 1 and "no model 'nobody'" in errors
+
+
+def test_the_nodes_of_a_demo_are_heard_on_this_machine_only(tmp_path):
+    process = demo('--model', 'orca', '--out', tmp_path, '--real-time')
+    nodes = wait_for_nodes(process)
+    assert all('ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST' in variables_of(one) for one in nodes)
+    domains = {word for one in nodes for word in variables_of(one) if 'ROS_DOMAIN_ID=' in word}
+    assert len(domains) == 1
+    process.terminate()
+    process.communicate()
 
 
 @pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])

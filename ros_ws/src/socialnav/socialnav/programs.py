@@ -1,0 +1,48 @@
+"""The programs of this package, which a signal ends even while their modules are being loaded."""
+
+from importlib import import_module
+import os
+import signal
+
+INTERRUPTED = 130
+"""Exit code of the demo after a signal, as a shell has it."""
+
+
+def demo() -> None:
+    """Run the demo."""
+    start('demo', INTERRUPTED)
+
+
+def obstacle_node() -> None:
+    """Run the obstacle node."""
+    start('obstacle_node')
+
+
+def policy_node() -> None:
+    """Run the policy node."""
+    start('policy_node')
+
+
+def simulator_node() -> None:
+    """Run the simulator node."""
+    start('simulator_node')
+
+
+def tracker_node() -> None:
+    """Run the tracker node."""
+    start('tracker_node')
+
+
+def start(module: str, interrupted: int = 0) -> None:
+    """
+    Load a module of this package and run its main().
+
+    Loading takes seconds, during which Python would answer Ctrl-C with a traceback. Nothing has
+    been started by then, so that nothing is left behind by a process that just ends.
+
+    :param module: its name.
+    :param interrupted: exit code after a signal that comes before main().
+    """
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: os._exit(interrupted))
+    import_module(f'{__package__}.{module}').main()
