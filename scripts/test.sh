@@ -15,9 +15,6 @@ check core .venv/bin/python -m pytest tests "$@"
 check build scripts/build.sh
 source scripts/environment.bash
 check ros2 .venv/bin/python -m pytest ros_ws/wheels/test "$@"
-# After a kill -9 the middleware once in a few hundred times never tells a process of the next one: begin such a test anew,
-# which the summary counts, and no other.
-check nodes .venv/bin/python -m pytest ros_ws/src/socialnav/test \
-    --reruns 1 --only-rerun 'AssertionError: no (publisher|subscriber|service|client|nodes?)\b' "$@"
+check nodes .venv/bin/python -m pytest ros_ws/src/socialnav/test "$@"
 
 [ -z "$failed" ] || { echo "failed:$failed" >&2 && exit 1; }
