@@ -1,20 +1,23 @@
 """Laws of alarms and of the rehearsals that they call for."""
 
 import math
+from pathlib import Path
+import sys
 from types import SimpleNamespace
 
+from driving import Drive
 import pytest
-from robot import Robot
 from test_controller import controller_of, give, Recorder, SECOND, SETTINGS
 import torch
 from worlds import random_state
 
 from socialnav.alarm import Alarm
 from socialnav.controller import Controller
-from socialnav.policy_node import PolicyNode
 from socialnav.rehearsal import Rehearsal
 from socialnav_core.config import PolicyConfig
 from socialnav_core.policies import build_network, ValuePolicy
+
+REHEARSING_NODE = Path(__file__).with_name('rehearsing_node.py')
 
 
 @pytest.fixture
@@ -99,18 +102,14 @@ def test_a_rehearsal_that_fails_leaves_it_to_the_decision_to_tell():
     assert controller.decide(SECOND).reason.startswith('odom: position')
 
 
-def test_a_node_that_drives_rehearses(graph, monkeypatch):
-    calls, robot = [], Robot(graph)
-    monkeypatch.setattr(Controller, 'rehearse', lambda self: calls.append(self))
-    node = PolicyNode()
-    graph.executor.add_node(node)
+def test_a_node_that_drives_rehearses(graph, tmp_path):
+    rehearsals = tmp_path / 'rehearsals'
+    drive = Drive(graph).start([sys.executable, str(REHEARSING_NODE), str(rehearsals)])
+    drive.moves(random_state(0))
 
-    def publish():
-        robot.publish(random_state(0))
+    def rehearsed():
+        drive.robot.publish(random_state(0))
         graph.spin(0.05)
-        return len(calls) > 2
+        return rehearsals.exists() and len(rehearsals.read_text()) > 2
 
-    graph.wait(publish, 'rehearsals')
-    graph.executor.remove_node(node)
-    node.close()
-    node.destroy_node()
+    graph.wait(rehearsed, 'rehearsals')
