@@ -119,11 +119,11 @@ def copy_run(entry: Entry, seed: int, laboratory: Laboratory, models: Path) -> s
     :param models: folder of the models.
     """
     run, folder = laboratory.run(entry.row, seed), models / entry.row.name
-    metrics = {
-        cases.scenario: laboratory.measurement(entry.row, seed, cases).summary
-        | {'model': entry.row.name}
-        for cases in card_cases(entry)
-    }
+    summaries = [
+        laboratory.measurement(entry.row, seed, cases).summary for cases in card_cases(entry)
+    ]
+    # By the scenario's own name, as `evaluate --card` does: curriculum-2.0 is called curriculum-2.
+    metrics = {each['scenario']: each | {'model': entry.row.name} for each in summaries}
     folder.mkdir(parents=True, exist_ok=True)
     for name in (CONFIG, CSV_NAME, WEIGHTS):
         shutil.copyfile(run / name, folder / name)
