@@ -4,7 +4,6 @@ from collections.abc import Callable
 from pathlib import Path
 import signal
 import sys
-import threading
 
 import rclpy
 from rclpy._rclpy_pybind11 import RCLError
@@ -27,9 +26,9 @@ def run(build: Callable[[], Node]) -> int:
     :param build: makes the node, which has a method close(); a ValueError that it raises is the
         user's mistake and becomes one line.
     """
-    stop = threading.Event()
+    signals: list[int] = []  # an event would hang where a second signal interrupts its set()
     for number in STOPPING:
-        signal.signal(number, lambda *_: stop.set())
+        signal.signal(number, lambda number, _: signals.append(number))
     try:
         rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
     except RuntimeError as error:  # arguments that rcl cannot read
@@ -40,7 +39,7 @@ def run(build: Callable[[], Node]) -> int:
         rclpy.try_shutdown()
         return failure(error)
     try:
-        spin(node, stop)
+        spin(node, signals)
     finally:
         rclpy.try_shutdown()
         for number in STOPPING:  # a second one while Python ends would kill it
@@ -58,20 +57,20 @@ def failure(error: Exception) -> int:
     return 1
 
 
-def spin(node: Node, stop: threading.Event) -> None:
+def spin(node: Node, signals: list[int]) -> None:
     """
-    Serve a node until it should stop, then close it.
+    Serve a node until a signal has come, then close it.
 
     rclpy's executor of events costs half the processor time of those that build a wait set in
     Python before each callback.
 
     :param node: it has close(), which may still publish.
-    :param stop: set when it should stop.
+    :param signals: that have come so far.
     """
     executor = EventsExecutor()
     executor.add_node(node)
     try:
-        while not stop.is_set():
+        while not signals:
             serve(executor, node)
     finally:
         node.close()  # type: ignore[attr-defined]

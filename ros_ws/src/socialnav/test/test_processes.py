@@ -1,12 +1,16 @@
 """Laws of processes that die and come back, of the shared memory that they use, and of signals."""
 
 import math
+from pathlib import Path
 import signal
+import sys
 import time
 
 from geometry_msgs.msg import Twist
+from graph import kill
 from managed import change_state, state_of
 from nav_msgs.msg import Odometry
+import numpy as np
 from processes import wait_until_loading
 import pytest
 from robot import drives, speed
@@ -21,6 +25,7 @@ from socialnav_msgs.msg import EpisodeResult
 
 pytestmark = pytest.mark.usefixtures('repetition')
 
+PREPARING_NODE = Path(__file__).with_name('preparing_node.py')
 POLICY = {'model': 'orca', 'bounds': 7.5}
 NODES = ('policy_node', 'simulator_node', 'obstacle_node', 'tracker_node')
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
@@ -62,6 +67,14 @@ def distance(one, other):
     """Return how far apart two places of the robot are, m."""
     here, there = one.pose.pose.position, other.pose.pose.position
     return math.hypot(here.x - there.x, here.y - there.y)
+
+
+def prepares(graph, folder):
+    """Start a policy node and wait until it prepares its model."""
+    preparing = folder / 'preparing'
+    policy = graph.run([sys.executable, str(PREPARING_NODE), str(preparing)])
+    graph.wait(preparing.exists, 'preparation')
+    return policy
 
 
 def end(graph, process, number):
@@ -150,14 +163,22 @@ def test_a_signal_while_a_program_is_still_being_loaded_ends_it_without_a_word(
     'number', [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.slow)]
 )
 def test_a_signal_while_the_model_is_being_prepared_is_obeyed_before_the_robot_moves(
-    graph, commands, number
+    graph, commands, number, tmp_path
 ):
     graph.start('simulator_node')
-    policy = graph.start('policy_node')
-    graph.wait(lambda: 'policy_node' in graph.node.get_node_names(), 'node')
+    policy = prepares(graph, tmp_path)
     end(graph, policy, number)
     graph.spin(0.3)
     assert not any(map(speed, commands))
+
+
+def test_signals_that_interrupt_each_other_end_a_node_as_one_does(graph, tmp_path):
+    policy = prepares(graph, tmp_path)
+    for pause in np.linspace(0.0, 1e-4, 2000):
+        for number in SIGNALS:
+            kill(policy, number)
+            time.sleep(pause)
+    end(graph, policy, signal.SIGINT)
 
 
 @pytest.mark.slow
