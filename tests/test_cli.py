@@ -93,10 +93,13 @@ def test_the_splits_are_those_of_the_simulator():
         ['evaluate', 'orca', '--scenario', 'simple', '--split', 'exam'],
         ['evaluate', 'orca', '--scenario', 'simple', '--safety-space', 'nan'],
         ['evaluate', 'orca', '--scenario', 'simple', '--lookahead', 'oracle'],
+        ['evaluate', 'sarl', *QUICK, '--safety-space', '0.2'],
+        ['evaluate', 'straight_line', *QUICK, '--safety-space', '0.2'],
         ['evaluate', 'orca', '--scenario', 'simple', '--card'],
         ['evaluate', 'sarl', '--scenario', 'simple', '--card', '--set', 'scenario.bounds=8'],
         ['compare', 'orca', *QUICK],
         ['compare', 'orca', 'orca', *QUICK],
+        ['compare', 'sarl', 'straight_line', *QUICK, '--safety-space', '0.2'],
         ['render', 'orca', '--scenario', 'simple', '--out', 'episode.avi'],
         ['models', 'nowhere'],
         ['scenarios', 'nowhere'],
@@ -124,7 +127,7 @@ def test_a_setting_without_a_section_says_where_it_belongs(failing):
 
 
 def test_a_missing_model_names_those_that_there_are(failing):
-    assert 'orca' in failing(1, 'evaluate', 'nobody', *QUICK)
+    assert 'orca' in failing(2, 'evaluate', 'nobody', *QUICK)
 
 
 def test_a_damaged_model_fails_in_one_line(failing, checkpoint, tmp_path_factory):

@@ -39,7 +39,7 @@ def add_command(
     :param summary: one line.
     :param examples: lines to type, without `socialnav` and the command's name.
     """
-    lines = [f'  socialnav {name} {example}' for example in examples.splitlines()]
+    lines = [f'  socialnav {name} {example}'.rstrip() for example in examples.splitlines()]
     parser = commands.add_parser(
         name,
         help=summary,
@@ -77,7 +77,7 @@ def add_world_options(parser: argparse.ArgumentParser) -> None:
         help='mask unsafe actions, of models with a network (their own setting)',
     )
     parser.add_argument(
-        '--safety-space', type=distance, default=0.15, metavar='M',
+        '--safety-space', type=distance, metavar='M',
         help='added to every radius by orca, m (0.15)',
     )  # fmt: skip
     add_set_option(parser, 'scenario.time_limit=35')

@@ -62,15 +62,16 @@ def open_policy(model: str, given: argparse.Namespace, several: bool = False) ->
     :param model: as typed.
     :param given: parsed arguments of a command with the world options.
     :param several: whether it is one of several, so that options that it lacks are for others.
-    :raises CheckpointError: when there is no such model or it is damaged.
-    :raises ConfigError: for settings that the policy does not have.
+    :raises CheckpointError: when the model is damaged.
+    :raises ConfigError: when there is no such model, or for settings that it does not have.
     """
     from socialnav_core.policies import load_policy, ValuePolicy
 
     use_threads(given)
+    safety_space = given.safety_space if model == 'orca' or not several else None
     if several and model in BASELINES:
-        return load_policy(model, safety_space=given.safety_space)
-    policy = load_policy(model, given.lookahead, given.screening, given.safety_space)
+        return load_policy(model, safety_space=safety_space)
+    policy = load_policy(model, given.lookahead, given.screening, safety_space)
     settings = chosen_settings(given)['policy']
     if not settings:
         return policy

@@ -48,6 +48,8 @@ def run(given: argparse.Namespace) -> None:
 
     if len(given.models) < 2 or len(set(given.models)) < len(given.models):
         raise ConfigError('name two or more different models')
+    if given.safety_space is not None and 'orca' not in given.models:
+        raise ConfigError('only orca has a safety space')
     require_new(given.json, given)
     scenario = chosen_scenario(given)
     policies = {model: open_policy(model, given, several=True) for model in given.models}

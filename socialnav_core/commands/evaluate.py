@@ -98,11 +98,14 @@ def described(result: Any, given: argparse.Namespace) -> dict[str, Any]:
     :param result: of evaluate.
     :param given: parsed arguments.
     """
+    from socialnav_core.policies.orca_policy import SAFETY_SPACE
+
     values = result.to_mapping()
     cases = values.pop('cases')
     values['settings'] = parse_assignments(given.assignments)
     if result.model == 'orca':
-        values['settings']['safety_space'] = given.safety_space
+        chosen = given.safety_space
+        values['settings']['safety_space'] = SAFETY_SPACE if chosen is None else chosen
     return values | {'cases': cases}
 
 

@@ -7,8 +7,8 @@ from typing import Protocol
 
 import numpy as np
 
-from socialnav_core.config import ConfigError
-from socialnav_core.policies.checkpoint import CheckpointError, load_checkpoint, WEIGHTS
+from socialnav_core.config import ConfigError, require
+from socialnav_core.policies.checkpoint import load_checkpoint, WEIGHTS
 from socialnav_core.policies.lookahead import ValuePolicy
 from socialnav_core.policies.orca_policy import OrcaPolicy
 from socialnav_core.policies.straight_line import StraightLinePolicy
@@ -42,7 +42,7 @@ def load_policy(
     model: str | Path,
     lookahead: str | None = None,
     screening: bool | None = None,
-    safety_space: float = 0.15,
+    safety_space: float | None = None,
 ) -> Policy:
     """
     Return a policy that is ready to act.
@@ -50,13 +50,14 @@ def load_policy(
     :param model: orca, straight_line, the folder of a checkpoint or the name of one in models/.
     :param lookahead: overrides the checkpoint's: constant_velocity or oracle.
     :param screening: overrides the checkpoint's.
-    :param safety_space: of orca, m.
-    :raises CheckpointError: when there is no such model or it is damaged.
-    :raises ConfigError: when orca or straight_line are asked for a look-ahead or screening.
+    :param safety_space: added to every radius by orca, m (0.15).
+    :raises CheckpointError: when the checkpoint is damaged.
+    :raises ConfigError: when there is no such model, or it lacks what is to be overridden.
     """
+    require(safety_space is None or model == 'orca', f'{model} has no safety space, orca has')
     if model in ('orca', 'straight_line'):
-        if lookahead is not None or screening is not None:
-            raise ConfigError(f'{model} has neither look-ahead nor screening')
+        plain = lookahead is None and screening is None
+        require(plain, f'{model} has neither look-ahead nor screening')
         return OrcaPolicy(safety_space) if model == 'orca' else StraightLinePolicy()
     network, config = load_checkpoint(find_model(model))
     policy = config.policy
@@ -73,11 +74,11 @@ def find_model(model: str | Path) -> Path:
     Return the folder of a checkpoint.
 
     :param model: a folder, or the name of one in models/.
-    :raises CheckpointError: when there is none; names those that there are.
+    :raises ConfigError: when there is none; names those that there are.
     """
     for folder in (Path(model), MODELS / model):
         if os.path.isfile(folder / WEIGHTS):  # no error for what cannot be a path
             return folder
     known = sorted(path.parent.name for path in MODELS.glob(f'*/{WEIGHTS}'))
     choices = ', '.join(['orca', 'straight_line', *known])
-    raise CheckpointError(f'no model {str(model)!r}: give the folder of a checkpoint or {choices}')
+    raise ConfigError(f'no model {str(model)!r}: give the folder of a checkpoint or {choices}')

@@ -8,6 +8,9 @@ from socialnav_core.simulation.orca import orca_step
 from socialnav_core.simulation.pedestrians import RADIUS_PADDING, RECIPROCAL
 from socialnav_core.states import CrowdState
 
+SAFETY_SPACE = 0.15
+"""Usually added to every radius, m."""
+
 
 class OrcaPolicy:
     """
@@ -19,16 +22,19 @@ class OrcaPolicy:
     kinematics = 'holonomic'
 
     def __init__(
-        self, safety_space: float = 0.15, orca: OrcaConfig | None = None, time_step: float = 0.25
+        self,
+        safety_space: float | None = None,
+        orca: OrcaConfig | None = None,
+        time_step: float = 0.25,
     ) -> None:
         """
         Choose the settings.
 
-        :param safety_space: added to every radius, m.
+        :param safety_space: added to every radius, m; None: SAFETY_SPACE.
         :param orca: the other settings of ORCA; its own safety space is not used.
         :param time_step: s.
         """
-        self.safety_space = safety_space
+        self.safety_space = SAFETY_SPACE if safety_space is None else safety_space
         self.orca = orca or OrcaConfig()
         self.time_step = time_step
 

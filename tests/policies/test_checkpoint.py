@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import torch
 
-from socialnav_core.config import Config, PolicyConfig
+from socialnav_core.config import Config, ConfigError, PolicyConfig
 from socialnav_core.policies import build_network, CheckpointError, load_policy
 from socialnav_core.policies.checkpoint import (
     atomic_write,
@@ -99,7 +99,7 @@ def test_values_that_are_not_finite_are_refused(saved):
 
 @pytest.mark.parametrize('name', ['nonsense', '', 'a\0b', 'x' * 300])
 def test_an_unknown_model_names_those_that_there_are(name):
-    with pytest.raises(CheckpointError, match='orca, straight_line'):
+    with pytest.raises(ConfigError, match='orca, straight_line'):
         load_policy(name)
 
 
