@@ -107,7 +107,7 @@ def draw_attention(axes: Axes, recording: Recording, index: int) -> None:
         style: dict[str, Any] = {'ha': 'center', 'va': 'center', 'path_effects': _HALO}
         axes.text(centre[0], centre[1], f'{share:.0%}', color=scene.ATTENTION, fontsize=10,
                   weight='bold', zorder=10, **style)  # fmt: skip
-    axes.text(0.985, 0.02, f'attention at {recording.times[index]:.3g} s', fontsize=10,
+    axes.text(0.97, 0.03, f'attention at {recording.times[index]:.3g} s', fontsize=10,
               color=scene.ATTENTION, ha='right', transform=axes.transAxes, zorder=10,
               path_effects=_HALO)  # fmt: skip
 
