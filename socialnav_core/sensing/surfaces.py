@@ -45,7 +45,8 @@ def scan_returns(
     Return where a scan hit something, in the frame of the laser, m, (returns, 2).
 
     As REP-117 has it: inf is free, NaN is no measurement, -inf is nearer than range_min and is
-    taken to be there. Other ranges outside of the limits mean nothing.
+    taken to be there. Other ranges outside of the limits mean nothing, nor does 0, which drivers
+    report for a beam that failed.
 
     :param ranges: m, (beams,).
     :param angle_min: direction of the first beam, rad.
@@ -57,10 +58,10 @@ def scan_returns(
     ranges = np.asarray(ranges, dtype=float)
     if not np.isfinite([angle_min, angle_increment, range_min]).all() or np.isnan(range_max):
         raise ValueError('angles or limits with NaN or infinity')
-    if np.isnan(ranges).all():
-        raise ValueError('no beam measured anything')
     ranges = np.where(np.isneginf(ranges), max(range_min, 0.0), ranges)
-    hit = np.isfinite(ranges) & (ranges >= range_min) & (ranges <= range_max)
+    hit = np.isfinite(ranges) & (ranges >= range_min) & (ranges <= range_max) & (ranges > 0)
+    if not (hit | np.isposinf(ranges)).any():
+        raise ValueError('no beam measured anything')
     angles = angle_min + angle_increment * np.arange(len(ranges))
     rays = np.stack([np.cos(angles[hit]), np.sin(angles[hit])], axis=-1)
     return ranges[hit, None] * rays

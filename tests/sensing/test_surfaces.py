@@ -114,7 +114,7 @@ def test_a_scan_of_free_beams_hits_nothing():
     assert len(scan([np.inf, np.inf])) == 0
 
 
-@pytest.mark.parametrize('ranges', [[], [np.nan, np.nan]])
+@pytest.mark.parametrize('ranges', [[], [np.nan, np.nan], [0.0, 0.0], [65.5, np.nan]])
 def test_a_scan_that_measured_nothing_is_refused(ranges):
     with pytest.raises(ValueError, match='no beam measured'):
         scan(ranges)
