@@ -21,6 +21,10 @@ from socialnav_msgs.msg import AgentStates
 SETTINGS = (
     'hits', 'coast_time', 'gate', 'detection_noise', 'acceleration_noise', 'start_speed',
 )  # fmt: skip
+ACCEPTED_DELAY = 0.2
+"""Age relative to the newest detections up to which others count as seen with them, s."""
+CLOCK_STEP = 1.0
+"""Age relative to the newest detections from which it is the clock that went back, s."""
 
 
 class TrackerNode(Node):
@@ -38,6 +42,7 @@ class TrackerNode(Node):
         frames = (self.values[name] for name in ('planning_frame', 'base_frame'))
         self.locator = Locator(*frames, self.values['pose_timeout'])
         self.tracker = Tracker(self.settings())
+        self.newest = 0
         self.pedestrians = self.create_publisher(AgentStates, 'pedestrians', qos.PEDESTRIANS)
         self.kind = DETECTION_TYPES[self.values['source']]
         self.create_subscription(
@@ -80,13 +85,33 @@ class TrackerNode(Node):
         except ConversionError as error:
             self.refuse(error)
             return
-        stamp = nanoseconds_of(message.header.stamp)
+        stamp = self.moment_of(nanoseconds_of(message.header.stamp))
+        if stamp is None:
+            return
         tracks = self.tracker.update(stamp * 1e-9, points)
         header = header_message(stamp, self.locator.planning_frame)
         radius = self.values['pedestrian_radius']
         self.pedestrians.publish(tracks_message(tracks, radius, header))
 
-    def refuse(self, error: ConversionError) -> None:
+    def moment_of(self, stamp: int) -> int | None:
+        """
+        Return the time for which detections count, ns; None where they come too late.
+
+        Of several detectors one is slower than another: what it saw shortly before the newest
+        detections counts as seen with them. A larger step back is a clock that was set.
+
+        :param stamp: of the detections, ns.
+        """
+        late = (self.newest - stamp) * 1e-9
+        if ACCEPTED_DELAY < late <= CLOCK_STEP:
+            self.refuse(f'detections {late:.2f} s older than the newest')
+            return None
+        if 0 < late <= ACCEPTED_DELAY:
+            return self.newest
+        self.newest = stamp
+        return stamp
+
+    def refuse(self, error: ConversionError | str) -> None:
         """
         Say why a message cannot be used.
 

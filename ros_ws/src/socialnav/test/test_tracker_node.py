@@ -27,10 +27,10 @@ class Detector:
         self.process = graph.start('tracker_node', **parameters)
         graph.wait(self.publisher.get_subscription_count, 'node')
 
-    def tell(self, positions, frame='odom'):
-        """Publish detections of the next moment."""
+    def tell(self, positions, frame='odom', delay=0):
+        """Publish detections of the next moment, or of one before it, ns."""
         self.stamp += STEP
-        self.publisher.publish(detections_message(positions, self.stamp, frame))
+        self.publisher.publish(detections_message(positions, self.stamp - delay, frame))
 
     def answer(self, positions):
         """Publish detections until they are answered; return the answer."""
@@ -99,3 +99,23 @@ def test_a_signal_ends_the_tracker_node_with_exit_code_0(graph, number):
     graph.kill(process, number)
     graph.wait(lambda: process.poll() is not None, 'end of the process')
     assert process.returncode == 0
+
+
+def test_two_detectors_of_which_one_is_slower_are_both_heard(graph):
+    detector, far = Detector(graph), np.array([[9.0, 9.0]])
+    for _ in range(10):
+        detector.answer(walking)
+        detector.tell(far, delay=STEP + SECOND // 10)
+        graph.spin(0.05)
+    assert len(detector.answer(walking).agents) == 3
+
+
+def test_detections_that_come_much_too_late_change_nothing(graph):
+    detector = Detector(graph)
+    for _ in range(5):
+        detector.answer(walking)
+    before = len(detector.pedestrians)
+    detector.tell(nobody(None), delay=STEP + SECOND // 2)
+    graph.spin(0.5)
+    assert len(detector.pedestrians) == before
+    assert len(detector.answer(walking).agents) == 2
