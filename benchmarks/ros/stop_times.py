@@ -15,6 +15,7 @@ shared memory of Fast DDS for those it publishes to.
 
 import argparse
 from collections.abc import Callable
+from itertools import takewhile
 import os
 import random
 import signal
@@ -30,6 +31,8 @@ INPUT_TIMEOUT, PERIOD = 0.5, 0.1
 LIMIT = INPUT_TIMEOUT + PERIOD
 LONGEST_PAUSE = 0.02
 """Time for which the measuring process may stand still, s."""
+ZEROS = 3
+"""Zero commands in succession that are a stop; a single one may have been for another reason."""
 PEDESTRIANS = 5
 POLICY = {
     'input_timeout': INPUT_TIMEOUT,
@@ -132,16 +135,26 @@ def kill(nodes: Nodes) -> None:
 
 def until_zero(rig: Rig, last: Callable[[], int]) -> float | None:
     """
-    Return the time from a moment to the first zero command, s, if it is known.
+    Return the time from a moment to the first of the last zero commands, s, if it is known.
 
     :param rig: hears the commands.
     :param last: returns the moment, ns; the last message may still be under way now.
     """
     rig.commands.clear()
-    rig.wait(lambda: any(not moving for _, moving in rig.commands), 'zero command')
+    rig.wait(lambda: len(standing(rig)) >= ZEROS, 'zero commands')
     if rig.longest_pause > LONGEST_PAUSE:
         return None
-    return next(moment for moment, moving in rig.commands if not moving) - last() * 1e-9
+    return standing(rig)[0] - last() * 1e-9
+
+
+def standing(rig: Rig) -> list[float]:
+    """
+    Return when the zero commands came after which there was no other, s.
+
+    :param rig: hears the commands.
+    """
+    latest = takewhile(lambda command: not command[1], reversed(rig.commands))
+    return [moment for moment, _ in latest][::-1]
 
 
 def table(times: dict[str, tuple[list[float], int]]) -> str:

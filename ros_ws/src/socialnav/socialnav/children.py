@@ -11,6 +11,8 @@ import time
 
 from ament_index_python.packages import get_package_prefix
 
+from socialnav.programs import STOPPING
+
 PATIENCE = 5.0
 """Time that a process gets to end after each signal, s."""
 PR_SET_PDEATHSIG = 1
@@ -44,7 +46,19 @@ def running_nodes(
             )
         yield nodes
     finally:
-        stop(list(nodes.values()))
+        with undisturbed():
+            stop(list(nodes.values()))
+
+
+@contextmanager
+def undisturbed() -> Iterator[None]:
+    """Ignore the signals that end a program, so that an impatient user leaves no node behind."""
+    handlers = {number: signal.signal(number, signal.SIG_IGN) for number in STOPPING}
+    try:
+        yield
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
 
 
 def ending_with_parent() -> Callable[[], None]:

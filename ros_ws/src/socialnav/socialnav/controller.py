@@ -139,7 +139,7 @@ class Controller:
         if self.intention is None or not isinstance(self._policy, ValuePolicy):
             return  # other policies may remember what they saw
         with contextlib.suppress(Exception):  # the decision itself will tell
-            self._read_state()
+            self._read_state(not_asked)  # a transform may have to be waited for
             self._policy.act(self.intention.state)
 
     def stall(self) -> Decision:
@@ -147,15 +147,35 @@ class Controller:
         return Decision(NO_COMMAND, STALLED, self._to_be_published(STALLED))
 
     def _choose(self, now: int) -> tuple[np.ndarray, str | None]:
-        """Return a command and, where it is zero for want of something, the reason."""
+        """Return a command, or a zero one and the reason; an error or a late end is one too."""
+        settings, began = self.settings, self._steady()
         self.intention = None
+        try:
+            command, reason = self._considered(now)
+        except ConversionError as error:
+            return NO_COMMAND, str(error)
+        except Exception as error:  # whatever it is, the robot must not drive on
+            if settings.lockstep:
+                raise
+            return NO_COMMAND, f'the decision failed: {type(error).__name__}: {error}'
+        if reason is not None:
+            return NO_COMMAND, reason
+        elapsed = self._steady() - began
+        self._latency = min(elapsed, settings.period)
+        self.tally.decisions += 1
+        self.tally.decision_time = elapsed
+        if not settings.lockstep and elapsed > settings.period:
+            self.tally.late += 1
+            self.intention = None
+            return NO_COMMAND, f'the decision took {elapsed:.2f} s, longer than a period'
+        return command, None
+
+    def _considered(self, now: int) -> tuple[np.ndarray, str | None]:
+        """Return a command and, where the robot must stand instead, the reason."""
         reason = self._inputs.complaint(now, self.settings)
         if reason is not None:
             return NO_COMMAND, reason
-        try:
-            state = self._known_state(now)
-        except ConversionError as error:
-            return NO_COMMAND, str(error)
+        state = self._known_state(now)
         distance = np.linalg.norm(state.robot_goal[0] - state.robot_position[0])
         self.goal_reached = self.goal_reached or bool(distance < self.settings.goal_tolerance)
         if self.goal_reached:
@@ -165,7 +185,7 @@ class Controller:
     def _known_state(self, now: int) -> CrowdState:
         """Return the world at the inputs' own times, the nearest agents; begin a run if new."""
         settings, goal = self.settings, self._inputs.newest('goal_pose')
-        state = self._read_state()
+        state = self._read_state(self._locate)
         moment = self._inputs.stamp('odom') if settings.lockstep else now
         if self._run.begins(goal, moment, 1.5 * settings.period if settings.lockstep else None):
             self.goal_reached = False
@@ -173,7 +193,7 @@ class Controller:
         state.time[:] = self._run.time
         return self._with_map(nearest_agents(state, settings.max_agents))
 
-    def _read_state(self) -> CrowdState:
+    def _read_state(self, locate: Locate) -> CrowdState:
         """Return the world as the inputs tell it, at their own times."""
         settings = self.settings
         odometry, pedestrians, obstacles, goal = map(
@@ -181,7 +201,7 @@ class Controller:
         )
         return crowd_state(
             odometry, goal, pedestrians, obstacles, settings.body, settings.planning_frame,
-            locate=self._locate,
+            locate=locate,
         )  # fmt: skip
 
     def _with_map(self, state: CrowdState) -> CrowdState:
@@ -220,26 +240,14 @@ class Controller:
         """Return the command that the policy chooses, within the limits."""
         if isinstance(self._policy, ValuePolicy):  # others choose freely and are clamped
             self._policy.limits = self.settings.limits
-        began = self._steady()
-        try:
-            command = np.asarray(self._policy.act(state)[0], dtype=float)
-        except Exception as error:  # whatever it is, the robot must not drive on
-            if self.settings.lockstep:
-                raise
-            return NO_COMMAND, f'the decision failed: {type(error).__name__}: {error}'
-        elapsed = self._steady() - began
-        self._latency = min(elapsed, self.settings.period)
-        self.tally.decisions += 1
-        self.tally.decision_time = elapsed
-        if not self.settings.lockstep and elapsed > self.settings.period:
-            self.tally.late += 1
-            return NO_COMMAND, f'the decision took {elapsed:.2f} s, longer than a period'
-        if not np.isfinite(command).all():
-            return NO_COMMAND, f'the policy chose {command.tolist()}, which is no velocity'
+        command = np.asarray(self._policy.act(state)[0], dtype=float)
         executable = self._executable(command, state)
+        sent = self._in_base_frame(executable, state)
+        if not np.isfinite([command, sent]).all():
+            return NO_COMMAND, f'the policy chose {command.tolist()}, which is no velocity'
         self.intention = Intention(state, executable)
         self.tally.clamped += not np.allclose(executable, command, rtol=0, atol=1e-9)
-        return self._in_base_frame(executable, state), None
+        return sent, None
 
     def _executable(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
         """Return a command of the policy within the limits, where it should be already."""
@@ -258,7 +266,8 @@ class Controller:
         if reason is None:
             self._standing_since = None
             return True
-        if self._standing_since is None:
-            self._standing_since = self._steady()
+        now, since = self._steady(), self._standing_since  # the watchdog may ask in between
+        if since is None:
+            self._standing_since = since = now
         timeout = self.settings.stop_publish_timeout
-        return timeout == 0 or self._steady() - self._standing_since <= timeout
+        return timeout == 0 or now - since <= timeout

@@ -189,12 +189,14 @@ def robot_arrays(
     :param odometry: its twist is in the robot's own frame.
     :param frame: the frame of the world.
     :param locate: says where other frames lie in it.
+    :raises ConversionError: a foreign frame, or a number that cannot be, the turn rate among them.
     """
     placement = placement_of('odom', odometry.header, frame, locate)
     pose, linear = odometry.pose.pose, odometry.twist.twist.linear
     heading = heading_of('odom', pose.orientation) + placement.heading
     position = finite('odom', 'position', [pose.position.x, pose.position.y])
     velocity = finite('odom', 'velocity', [linear.x, linear.y])
+    finite('odom', 'turn rate', [odometry.twist.twist.angular.z])
     return placement.placed(position), rotate(velocity, heading), heading
 
 

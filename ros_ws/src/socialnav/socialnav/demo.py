@@ -19,13 +19,15 @@ from socialnav.demo_report import row, table, write_json
 from socialnav.episode_recorder import cause
 from socialnav.isolation import isolated_environment
 from socialnav.parameters import DEFAULT_MODEL
-from socialnav.programs import INTERRUPTED
+from socialnav.programs import INTERRUPTED, take_signals
 from socialnav_core.simulation import make_scenario
 
 SILENCE = 180.0
 """Time without a new state after which the demo gives up, s; compiling takes a part of it."""
 BACKLOG = 0.5
 """Time without any message of the world after which all of them have been heard, s."""
+SLOWEST = 0.3
+"""Smallest real-time factor; where time is slower the watchdog takes each period for a stall."""
 EXAMPLES = """examples:
   ros2 run socialnav demo
   ros2 run socialnav demo --episodes 20 --scenario crowd20 --model orca --out out/crowd
@@ -40,8 +42,7 @@ class DemoError(RuntimeError):
 
 def main() -> None:
     """Run the demo and leave with its exit code."""
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, signal.default_int_handler)
+    take_signals(signal.default_int_handler)
     options = parse(sys.argv[1:])
     os.environ.update(isolated_environment(os.environ))
     rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
@@ -88,8 +89,8 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     options.real_time = options.real_time or options.sensors
     if options.episodes < 1 or options.seed < 0:
         parser.error('--episodes must be at least 1 and --seed not negative')
-    if not 0.1 <= options.real_time_factor <= 20:
-        parser.error('--real-time-factor must lie between 0.1 and 20')
+    if not SLOWEST <= options.real_time_factor <= 20:
+        parser.error(f'--real-time-factor must lie between {SLOWEST:g} and 20')
     try:
         make_scenario(options.scenario)
     except ValueError as error:

@@ -15,6 +15,7 @@ from std_srvs.srv import Trigger
 
 from socialnav import qos
 from socialnav.alarm import Alarm
+from socialnav.clocks import pacing_clock
 from socialnav.controller import Controller
 from socialnav.controller_settings import controller_settings
 from socialnav.diagnostics import controller_facts
@@ -101,8 +102,9 @@ class Driver:
         if not self.lockstep:
             settings = self.controller.settings
             self.punctuality = Punctuality(settings.period)
-            self.timer = self.node.create_timer(settings.period, self.on_tick)
-            self.expiry = Alarm(self.node, self.on_expiry)
+            clock = pacing_clock(self.node)
+            self.timer = self.node.create_timer(settings.period, self.on_tick, clock=clock)
+            self.expiry = Alarm(self.node, self.on_expiry, clock)
             self.rehearsal = Rehearsal(self.node, self.timer, self.controller)
             self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
 
@@ -113,9 +115,10 @@ class Driver:
         :param values: all parameters.
         """
         self.controller.settings = controller_settings(values)
-        if self.watchdog is not None:
+        if self.watchdog is not None:  # another one, which has not been fed by that
             self.watchdog.stop()
-            self.watchdog = Watchdog(self.controller.settings.stall_timeout, self.on_stall)
+            timeout = self.controller.settings.stall_timeout
+            self.watchdog = Watchdog(timeout, self.on_stall, self.watchdog.fed)
 
     def stop(self) -> None:
         """Stop the robot: a zero command is the last one."""
@@ -181,7 +184,8 @@ class Driver:
         if self.lockstep:
             self.outputs.publish(self.controller.decide(now))
             return
-        self.punctuality.tick(time.monotonic(), lateness(self.timer))
+        moment = self.timer.clock.now().nanoseconds * 1e-9
+        self.punctuality.tick(time.monotonic(), lateness(self.timer), moment)
         decision = self.controller.decide(now)
         self.outputs.publish(decision)
         self.watchdog.feed()
@@ -205,7 +209,11 @@ class Driver:
 
     def on_stall(self) -> None:
         """Stop the robot, in the watchdog's thread, while nothing else can."""
-        self.outputs.publish(self.controller.stall())
+        try:
+            self.outputs.publish(self.controller.stall())
+        except Exception as error:  # the thread must go on
+            text = f'after a stop: {type(error).__name__}: {error}'
+            self.node.get_logger().error(text, throttle_duration_sec=1.0)
 
     def facts(self) -> dict[str, str]:
         """Return what diagnostics tell."""

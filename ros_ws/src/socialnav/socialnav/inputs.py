@@ -7,7 +7,7 @@ from geometry_msgs.msg import PoseStamped
 
 from socialnav.controller_settings import ControllerSettings
 from socialnav.stamps import nanoseconds_of
-from socialnav.unread import content
+from socialnav.unread import content, Unread
 
 NAMES = ('odom', 'pedestrians', 'obstacles', 'goal_pose')
 OPTIONAL = ('plan', 'map')
@@ -31,10 +31,16 @@ class Inputs:
         """
         Keep a message in place of the earlier one; a goal that was cancelled does not come back.
 
+        A goal without a stamp was typed by somebody, who means it each time.
+
         :param name: one of NAMES or OPTIONAL.
         :param message: it has a header; odom and pedestrians may be unread.
         """
-        if name == 'goal_pose' and message == self._cancelled:
+        if (
+            name == 'goal_pose'
+            and message == self._cancelled
+            and nanoseconds_of(message.header.stamp)
+        ):
             return
         self._newest[name] = message
         if name in NAMES:
@@ -61,9 +67,10 @@ class Inputs:
 
         :param name: one of NAMES or OPTIONAL.
         """
-        if name in self._newest:
-            self._newest[name] = content(self._newest[name])
-        return self._newest.get(name)
+        message = self._newest.get(name)
+        if isinstance(message, Unread):  # others are not put back: they may be gone by now
+            message = self._newest[name] = content(message)
+        return message
 
     def stamp(self, name: str) -> int:
         """
@@ -131,6 +138,15 @@ class Inputs:
         if settings.plan_timeout == 0 or 'plan' not in self._newest:
             return None
         return age_complaint('plan', self.ages(now)['plan'], settings.plan_timeout)
+
+
+def is_stamped(message: Any) -> bool:
+    """
+    Return whether a message says when it was made.
+
+    :param message: it has a header.
+    """
+    return nanoseconds_of(message.header.stamp) != 0
 
 
 def age_complaint(name: str, age: float, timeout: float) -> str | None:

@@ -9,6 +9,8 @@ from ament_index_python.packages import get_package_share_directory
 
 DOMAINS = range(1, 100)
 """Domains whose ports are free on Linux."""
+PARTICIPANTS = 32
+"""Number of participants of a domain that are looked for on this machine."""
 
 
 def isolated_environment(environment: Mapping[str, str]) -> dict[str, str]:
@@ -43,11 +45,21 @@ def occupied(domain: int) -> bool:
     """
     Return whether some participant on this machine is in a domain.
 
-    :param domain: its number; the first participant listens at the port that follows from it.
+    :param domain: its number; participants listen at the ports that follow from it.
+    """
+    first = 7400 + 250 * domain + 10
+    return not all(map(free, range(first, first + 2 * PARTICIPANTS, 2)))
+
+
+def free(port: int) -> bool:
+    """
+    Return whether nobody listens at a port.
+
+    :param port: of UDP.
     """
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
-            probe.bind(('', 7400 + 250 * domain + 10))
+            probe.bind(('', port))
         except OSError:
-            return True
-    return False
+            return False
+    return True

@@ -10,6 +10,7 @@ from rclpy.node import Node
 from sensor_msgs.msg import LaserScan
 
 from socialnav import qos
+from socialnav.clocks import pacing_clock
 from socialnav.conversions import ConversionError
 from socialnav.obstacle_finder import ObstacleFinder
 from socialnav.parameters import declare
@@ -38,7 +39,8 @@ class ObstacleNode(Node):
             self.listen(LaserScan, 'scan', self.on_scan, qos.SENSOR_INPUT)
         else:
             self.listen(OccupancyGrid, 'map', self.finder.store_grid, qos.MAP)
-            self.create_timer(1 / self.values['grid_rate'], partial(self.attempt, self.on_tick))
+            period, tick = 1 / self.values['grid_rate'], partial(self.attempt, self.on_tick)
+            self.create_timer(period, tick, clock=pacing_clock(self))
 
     def listen(self, kind: type, topic: str, take: Callable[[Any], None], profile: Any) -> None:
         """

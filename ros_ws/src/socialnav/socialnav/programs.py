@@ -1,9 +1,13 @@
 """The programs of this package, which a signal ends even while their modules are being loaded."""
 
+from collections.abc import Callable
 from importlib import import_module
 import os
 import signal
+from types import FrameType
 
+STOPPING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+"""Signals that end a program; the last one comes when the terminal is closed."""
 INTERRUPTED = 130
 """Exit code of the demo after a signal, as a shell has it."""
 
@@ -43,6 +47,16 @@ def start(module: str, interrupted: int = 0) -> None:
     :param module: its name.
     :param interrupted: exit code after a signal that comes before main().
     """
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: os._exit(interrupted))
+    take_signals(lambda *_: os._exit(interrupted))
     import_module(f'{__package__}.{module}').main()
+
+
+def take_signals(handler: Callable[[int, FrameType | None], object]) -> None:
+    """
+    Handle the signals that end a program; one that nohup has it ignore stays ignored.
+
+    :param handler: as signal.signal wants it.
+    """
+    for number in STOPPING:
+        if number != signal.SIGHUP or signal.getsignal(number) != signal.SIG_IGN:
+            signal.signal(number, handler)

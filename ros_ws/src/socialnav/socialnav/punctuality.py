@@ -26,19 +26,21 @@ class Punctuality:
         self._delays: deque[float] = deque(maxlen=WINDOW)
         self._ages: deque[float] = deque(maxlen=WINDOW)
         self._began = 0.0
+        self._expected: float | None = None
         self._due: float | None = None
 
-    def tick(self, now: float, lateness: float) -> None:
+    def tick(self, now: float, lateness: float, clock: float) -> None:
         """
         Begin a period; count those that passed without a tick.
 
         :param now: on a clock that always runs, s.
         :param lateness: how long ago the tick should have come, s.
+        :param clock: time on the clock of the ticks, which may be simulated, s.
         """
-        due = now - lateness
+        due = clock - lateness
         if self._due is not None:
             self.missed += max(0, round((due - self._due) / self._period) - 1)
-        self._began, self._due = now, due
+        self._began, self._due, self._expected = now, due, now - lateness
 
     def command(self, moment: float, ages: Mapping[str, float]) -> None:
         """
@@ -47,9 +49,9 @@ class Punctuality:
         :param moment: when the latest command was published, on the clock of the ticks, s.
         :param ages: of the inputs at the tick, by name, s; none where they do not matter.
         """
-        if self._due is None or moment < self._began:
+        if self._expected is None or moment < self._began:
             return
-        self._delays.append(moment - self._due)
+        self._delays.append(moment - self._expected)
         ageing = [ages[name] for name in AGEING if name in ages]
         if ageing:
             self._ages.append(max(ageing) + moment - self._began)

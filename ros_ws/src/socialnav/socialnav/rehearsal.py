@@ -30,7 +30,7 @@ class Rehearsal:
         """
         self._ticks = ticks
         self._controller = controller
-        self._alarm = Alarm(node, controller.rehearse)
+        self._alarm = Alarm(node, controller.rehearse, ticks.clock)
 
     def expect(self) -> None:
         """Rehearse before the next tick, unless that is near or the rehearsal would delay it."""

@@ -12,14 +12,15 @@ from rclpy.experimental import EventsExecutor
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
-STOPPING = (signal.SIGINT, signal.SIGTERM)
+from socialnav.programs import STOPPING, take_signals
+
 WAKE_UP = 0.05
 """How often a waiting node looks whether it should stop, s."""
 
 
 def run(build: Callable[[], Node]) -> int:
     """
-    Build a node, spin it until SIGINT or SIGTERM and return the exit code of the process.
+    Build a node, spin it until a signal of STOPPING and return the exit code of the process.
 
     The signals are taken here and not by rclpy, whose handlers end publishing at once.
 
@@ -27,8 +28,7 @@ def run(build: Callable[[], Node]) -> int:
         user's mistake and becomes one line.
     """
     signals: list[int] = []  # an event would hang where a second signal interrupts its set()
-    for number in STOPPING:
-        signal.signal(number, lambda number, _: signals.append(number))
+    take_signals(lambda number, _: signals.append(number))
     try:
         rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
     except RuntimeError as error:  # arguments that rcl cannot read

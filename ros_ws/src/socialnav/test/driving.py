@@ -20,9 +20,11 @@ class Drive:
         self.health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
 
     def on_command(self, command):
-        """Keep a command, and when the robot was told to stand."""
+        """Keep a command, and since when the robot has been told to stand."""
         self.commands.append(command)
-        if self.stopped is None and not speed(command):
+        if speed(command):
+            self.stopped = None
+        elif self.stopped is None:
             self.stopped = time.monotonic()
 
     def start(self, command=None, **parameters):

@@ -12,6 +12,7 @@ from socialnav.controller import Controller
 from socialnav.controller_settings import ControllerSettings
 from socialnav_core.config import PolicyConfig, ScreeningConfig
 from socialnav_core.policies import build_network, ValuePolicy
+from socialnav_core.sensing import HERE
 from socialnav_core.simulation.limits import Limits
 
 SECOND = 10**9
@@ -131,6 +132,58 @@ def test_a_position_that_is_not_finite_gives_zero_velocity(policy):
     decision = controller_of(policy, state=state).decide(SECOND)
     assert decision.command.tolist() == [0.0, 0.0]
     assert decision.reason.startswith('pedestrians: position')
+
+
+@pytest.mark.parametrize('turn_rate', [math.nan, math.inf, 1e308])
+def test_a_turn_rate_that_cannot_be_gives_zero_velocity(policy, turn_rate):
+    controller = controller_of(policy)
+    odometry = messages_of(random_state(0), SECOND - SECOND // 20)['odom']
+    odometry.twist.twist.angular.z = turn_rate
+    controller.store('odom', odometry)
+    decision = controller.decide(SECOND)
+    assert np.isfinite(decision.command).all()
+    if not math.isfinite(turn_rate):
+        assert decision.reason == 'odom: turn rate with NaN or infinity'
+
+
+def test_an_error_anywhere_in_a_decision_gives_zero_velocity(policy):
+    def locate(frame, source, stamp):
+        raise RuntimeError('no idea')
+
+    controller = Controller(policy, SETTINGS, steady=lambda: policy.now, locate=locate)
+    give(controller, random_state(0), SECOND)
+    goal = messages_of(random_state(0), SECOND)['goal_pose']
+    goal.header.frame_id = 'map'
+    controller.store('goal_pose', goal)
+    decision = controller.decide(SECOND)
+    assert decision.command.tolist() == [0.0, 0.0]
+    assert decision.reason == 'the decision failed: RuntimeError: no idea'
+
+
+def test_a_transform_that_is_waited_for_makes_a_decision_late(policy):
+    def locate(frame, source, stamp):
+        policy.now += 0.15
+        return HERE
+
+    controller = Controller(policy, SETTINGS, steady=lambda: policy.now, locate=locate)
+    give(controller, random_state(0), SECOND)
+    goal = messages_of(random_state(0), SECOND)['goal_pose']
+    goal.header.frame_id = 'map'
+    controller.store('goal_pose', goal)
+    assert controller.decide(SECOND).reason == 'the decision took 0.15 s, longer than a period'
+    assert controller.intention is None and controller.tally.late == 1
+
+
+def test_a_goal_that_was_typed_counts_again_after_it_was_cancelled_and_a_stamped_one_does_not(
+    policy,
+):
+    for stamp, reason in ((0, None), (SECOND, 'no goal_pose')):
+        controller = controller_of(policy)
+        goal = messages_of(random_state(0), stamp)['goal_pose']
+        controller.store('goal_pose', goal)
+        assert controller.cancel_goal()
+        controller.store('goal_pose', goal)
+        assert controller.decide(SECOND).reason == reason
 
 
 def test_the_robot_stands_at_its_goal_until_there_is_another(policy):

@@ -43,6 +43,7 @@ BAD_FIELDS = [
     ('odom', 'pose.pose.position.y', -math.inf, 'odom: position'),
     ('odom', 'pose.pose.orientation.w', 7.0, 'odom: orientation'),
     ('odom', 'twist.twist.linear.x', math.nan, 'odom: velocity'),
+    ('odom', 'twist.twist.angular.z', math.inf, 'odom: turn rate'),
     ('goal_pose', 'pose.position.x', math.nan, 'goal_pose: position'),
     ('goal_pose', 'header.frame_id', 'map', "in frame 'map'"),
 ]

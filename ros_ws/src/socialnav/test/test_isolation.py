@@ -2,6 +2,8 @@
 
 import socket
 
+import pytest
+
 from socialnav.isolation import DOMAINS, free_domain, isolated_environment, occupied
 
 
@@ -16,9 +18,10 @@ def test_what_the_user_has_set_stays():
     assert isolated_environment(wanted).items() >= wanted.items()
 
 
-def test_a_domain_in_which_somebody_listens_is_not_free():
+@pytest.mark.parametrize('participant', [0, 1, 5])
+def test_a_domain_in_which_somebody_listens_is_not_free(participant):
     domain = free_domain()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
-        listener.bind(('', 7400 + 250 * domain + 10))
+        listener.bind(('', 7400 + 250 * domain + 10 + 2 * participant))
         assert occupied(domain)
     assert not occupied(domain)

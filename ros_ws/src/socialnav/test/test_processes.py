@@ -28,7 +28,7 @@ pytestmark = pytest.mark.usefixtures('repetition')
 PREPARING_NODE = Path(__file__).with_name('preparing_node.py')
 POLICY = {'model': 'orca', 'bounds': 7.5}
 NODES = ('policy_node', 'simulator_node', 'obstacle_node', 'tracker_node')
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 WAY_TO = {
     'unconfigured': (),
     'inactive': ('configure',),

@@ -7,11 +7,15 @@ from socialnav.punctuality import Punctuality
 PERIOD = 0.1
 
 
-def facts_after(*periods):
-    """Return what is known after (moment of the tick, its lateness, moment of the command)."""
+def facts_after(*periods, factor=1.0):
+    """
+    Return what is known after (moment of the tick, its lateness, moment of the command).
+
+    The clock of the ticks runs faster by a factor.
+    """
     punctuality = Punctuality(PERIOD)
     for now, lateness, moment in periods:
-        punctuality.tick(now, lateness)
+        punctuality.tick(now, lateness, now * factor)
         punctuality.command(moment, {'odom': 0.02, 'pedestrians': 0.03, 'goal_pose': 99.0})
     return {name: float(value) for name, value in punctuality.facts().items()}
 
@@ -29,6 +33,11 @@ def test_a_period_without_a_tick_is_missed_and_a_late_tick_is_none():
     assert facts_after(*((now, 0.0, now) for now in times))['missed periods'] == 2
     late = [(0.0, 0.0), (0.19, 0.09), (0.2, 0.0)]
     assert facts_after(*((now, lateness, now) for now, lateness in late))['missed periods'] == 0
+
+
+def test_a_period_of_simulated_time_may_take_longer():
+    times = [0.0, 0.2, 0.4]
+    assert facts_after(*((now, 0.0, now) for now in times), factor=0.5)['missed periods'] == 0
 
 
 def test_a_period_without_a_command_is_not_measured():

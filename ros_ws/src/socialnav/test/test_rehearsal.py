@@ -9,13 +9,14 @@ from driving import Drive
 import pytest
 from test_controller import controller_of, give, Recorder, SECOND, SETTINGS
 import torch
-from worlds import random_state
+from worlds import messages_of, random_state
 
 from socialnav.alarm import Alarm
 from socialnav.controller import Controller
 from socialnav.rehearsal import Rehearsal
 from socialnav_core.config import PolicyConfig
 from socialnav_core.policies import build_network, ValuePolicy
+from socialnav_core.sensing import HERE
 
 REHEARSING_NODE = Path(__file__).with_name('rehearsing_node.py')
 
@@ -28,7 +29,7 @@ def rehearsed(graph):
         calls = []
         rehearsal = Rehearsal(
             graph.node,
-            SimpleNamespace(time_until_next_call=lambda: until_tick * 1e9),
+            SimpleNamespace(time_until_next_call=lambda: until_tick * 1e9, clock=None),
             SimpleNamespace(
                 rehearse=lambda: calls.append(graph.node.get_clock().now().nanoseconds),
                 tally=SimpleNamespace(decision_time=decision_time),
@@ -54,6 +55,17 @@ def test_an_alarm_rings_once_each_time_that_it_is_set_and_the_latest_setting_cou
     alarm.set(-1.0)
     graph.wait(lambda: len(calls) == 2, 'alarm for a moment that is over')
     alarm.close()
+
+
+def test_an_alarm_that_was_closed_does_not_ring_though_the_executor_was_told_before():
+    calls, callbacks = [], []
+    node = SimpleNamespace(
+        create_timer=lambda period, callback, **options: callbacks.append(callback),
+        destroy_timer=lambda timer: None,
+    )
+    Alarm(node, lambda: calls.append(1)).close()
+    callbacks[0]()
+    assert not calls
 
 
 def test_a_rehearsal_comes_shortly_before_a_distant_tick_and_never_before_a_near_one(rehearsed):
@@ -87,6 +99,25 @@ def test_a_policy_that_may_remember_what_it_saw_is_not_made_to_rehearse():
     controller.decide(SECOND)
     controller.rehearse()
     assert len(policy.states) == 1
+
+
+def test_a_rehearsal_asks_nobody_for_a_transform():
+    asked, config = [], PolicyConfig()
+
+    def locate(frame, source, stamp):
+        asked.append(source)
+        return HERE
+
+    policy = ValuePolicy(build_network(config), config)
+    controller = Controller(policy, SETTINGS, locate=locate)
+    give(controller, random_state(0), SECOND)
+    goal = messages_of(random_state(0), SECOND)['goal_pose']
+    goal.header.frame_id = 'map'
+    controller.store('goal_pose', goal)
+    assert controller.decide(SECOND).reason is None
+    assert asked == ['map']
+    controller.rehearse()
+    assert asked == ['map']
 
 
 def test_a_rehearsal_that_fails_leaves_it_to_the_decision_to_tell():

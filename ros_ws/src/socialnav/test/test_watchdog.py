@@ -36,8 +36,24 @@ def test_food_puts_the_call_off_though_it_wakes_nobody():
         assert calls.get(timeout=DEADLINE) - end >= 0.9
 
 
-def test_after_its_end_it_calls_no_more():
-    with watching(60.0) as (watchdog, calls):
+def test_its_end_wakes_it():
+    with watching(60.0) as (watchdog, _):
         began = time.monotonic()
         watchdog.stop()
-        assert time.monotonic() - began < 30.0 and calls.empty()
+        assert time.monotonic() - began < 30.0
+
+
+def test_after_its_end_it_calls_no_more():
+    with watching(0.02) as (watchdog, calls):
+        calls.get(timeout=DEADLINE)
+        watchdog.stop()
+        count = calls.qsize()
+        time.sleep(0.2)
+        assert calls.qsize() == count
+
+
+def test_another_watchdog_may_know_when_there_was_food_last():
+    calls = Queue()
+    watchdog = Watchdog(60.0, lambda: calls.put(1), fed=time.monotonic() - 61.0)
+    calls.get(timeout=DEADLINE / 2)
+    watchdog.stop()
