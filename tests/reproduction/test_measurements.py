@@ -1,15 +1,16 @@
 """Measurements belong to weights, and their figures to all seeds and cases."""
 
+import dataclasses
 import functools
 
 import numpy as np
 import pytest
 
-from socialnav_core.evaluation.statistics import seeds_and_cases_bootstrap
+from socialnav_core.evaluation.statistics import McNemarResult, seeds_and_cases_bootstrap
 from socialnav_core.reproduction import measurements
 from socialnav_core.reproduction.experiments import Entry, EXPERIMENTS
 from socialnav_core.reproduction.measurements import Cases, Measurement
-from socialnav_core.reproduction.page import paired
+from socialnav_core.reproduction.page import paired, seeds_won
 from socialnav_core.reproduction.paired import paired_differences
 from socialnav_core.reproduction.rows import ROWS
 from socialnav_core.reproduction.summary import Summary, summary_of
@@ -105,6 +106,25 @@ def test_adjusted_probabilities_are_never_smaller(two_rows):
     (difference,) = paired_differences(two_rows, [('gat4sn', 'sarl')])
     assert [test.p_value for test in difference.tests] == [1.0, 0.5]
     assert difference.adjusted == (1.0, 1.0)
+
+
+def test_only_seeds_whose_difference_is_significant_count_as_such(two_rows):
+    (difference,) = paired_differences(two_rows, [('gat4sn', 'sarl')])
+    one_way, no_way = McNemarResult(9, 1, 0.01), McNemarResult(3, 2, 1.0)
+    other_way = McNemarResult(1, 9, 0.01)
+    difference = dataclasses.replace(
+        difference, tests=(one_way, no_way, other_way, other_way), adjusted=(0.04, 1, 0.04, 0.04)
+    )
+    assert seeds_won(difference) == '2 : 2'
+    assert seeds_won(difference, 0.05) == '1 : 2'
+
+
+def test_a_row_with_one_seed_meets_one_seed_and_the_page_says_so(two_rows, laboratory):
+    alone = summary_of(SARL, HARD, (0,), laboratory)
+    differences = paired_differences([alone, two_rows[1]], [('gat4sn', 'sarl')])
+    text = paired(differences)
+    assert '| `hard` | constant velocity | 1 | +0.250' in text
+    assert 'with one seed: over cases alone' in text
 
 
 def test_a_row_without_successes_has_no_time(finished_run, measured, laboratory):
