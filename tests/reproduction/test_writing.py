@@ -2,9 +2,11 @@
 
 import json
 
+import numpy as np
 import pytest
 
 from socialnav_core.reproduction import EXPERIMENTS, write_results
+from socialnav_core.reproduction.markdown import number
 
 SEEDS = 2
 
@@ -27,6 +29,15 @@ def test_a_page_has_the_reports_figures_beside_ours(table3, laboratory, tmp_path
     assert '0.750: missed by 0.222' in text
     assert 'socialnav reproduce table3' in text
     assert '| 2.0 |' in text  # minutes
+
+
+@pytest.mark.parametrize(
+    ('value', 'figure', 'text'),
+    [(13.645, 'time', '13.65'), (0.9735, 'success', '0.974'), (1e-9, 'success', '0.000'),
+     (np.float64(1), 'success', '1.000'), (None, 'time', '-')],
+)  # fmt: skip
+def test_numbers_are_rounded_as_people_do_it(value, figure, text):
+    assert number(value, figure) == text
 
 
 def test_the_figures_are_written_as_json_too(table3, laboratory, tmp_path):
