@@ -236,13 +236,15 @@ def limits(config: Config) -> str:
     :param config: of the checkpoint.
     """
     scenario = config.scenario
-    seen = 'see' if scenario.robot_visible else 'do not see'
+    seen, people = 'see', 'real people do not follow ORCA'
+    if not scenario.robot_visible:
+        seen, people = 'do not see', f'{people}, and they do see the robot'
     return (
         '## Limits\n\n'
         '- The network sees positions, velocities and radii without noise or occlusion, and no '
         'walls.\n'
         f'- Its pedestrians follow ORCA at {scenario.pedestrian_speed:g} m/s and {seen} the '
-        'robot; people do neither.\n'
+        f'robot; {people}.\n'
         f'- It was trained with {scenario.agents} agents and obstacles up to '
         f'{scenario.obstacle_radius_max:g} m of radius; more or larger ones are extrapolation.\n'
         + unvaried_features(config)
