@@ -11,6 +11,7 @@ import torch
 
 from socialnav_core import cli
 from socialnav_core.commands import arguments
+from socialnav_core.commands.models import headline
 from socialnav_core.config import Config, PolicyConfig
 from socialnav_core.policies import build_network
 from socialnav_core.policies.checkpoint import save_weights
@@ -62,7 +63,9 @@ def checkpoint(tmp_path_factory):
     return folder
 
 
-COMMANDS = ('train', 'evaluate', 'compare', 'render', 'benchmark', 'models', 'scenarios')
+COMMANDS = (
+    'train', 'evaluate', 'compare', 'render', 'benchmark', 'models', 'scenarios', 'reproduce',
+)  # fmt: skip
 
 
 @pytest.mark.parametrize('command', COMMANDS)
@@ -222,6 +225,26 @@ def test_a_result_can_be_added_to_the_card_of_a_model(checkpoint, capsys):
     table = capsys.readouterr().out
     assert 'untrained' in table
     assert '96,502' in table
+
+
+def test_a_card_keeps_more_cases_and_those_of_the_test_split(failing, checkpoint, capsys):
+    words = ['evaluate', checkpoint, '--scenario', 'circle', '--card', '--episodes']
+    assert run(*words, 3) == 0
+    capsys.readouterr()
+    assert '3 test cases of circle' in failing(2, *words, 2)
+    assert '--overwrite' in failing(2, *words, 4, '--split', 'validation')
+    assert run(*words, 4) == 0
+    assert run(*words, 2, '--split', 'validation', '--overwrite') == 0
+    kept = json.loads((checkpoint / 'metrics.json').read_text())['circle']
+    assert (kept['episodes'], kept['split']) == (2, 'validation')
+
+
+def test_a_headline_names_the_split_where_it_is_not_test():
+    result = {'scenario': 'hard', 'success_rate': 0.5, 'navigation_time_mean': 9, 'split': 'test'}
+    assert headline(result) == 'hard 0.500 (9.00 s)'
+    assert headline(result | {'split': 'validation'}) == 'hard 0.500 (9.00 s, validation)'
+    changes = {'split': 'validation', 'navigation_time_mean': None}
+    assert headline(result | changes) == 'hard 0.500 (validation)'
 
 
 def test_compare_pairs_the_models_on_the_same_cases(tmp_path, capsys):

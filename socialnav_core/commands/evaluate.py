@@ -65,6 +65,8 @@ def run(given: argparse.Namespace) -> None:
     require_plain_settings(given)
     scenario = chosen_scenario(given)
     policy = open_policy(given.model, given)
+    if given.card and not given.overwrite:
+        require_no_better_card(policy, scenario, given)
     result = measure(given.model, policy, scenario, given)
     print(evaluation_text(result))
     values = described(result, given)
@@ -119,6 +121,25 @@ def require_plain_settings(given: argparse.Namespace) -> None:
         raise ConfigError(f'{given.model} has no model card: drop --card')
     if given.card and given.assignments:
         raise ConfigError('a card holds results of unchanged settings: drop --set or --card')
+
+
+def require_no_better_card(policy: Any, scenario: Scenario, given: argparse.Namespace) -> None:
+    """
+    Raise a ConfigError when the card of a model has a better result of the same kind.
+
+    :param policy: a ValuePolicy.
+    :param scenario: the world.
+    :param given: parsed arguments.
+    """
+    from socialnav_core.policies.base import find_model
+    from socialnav_core.training.model_card import require_no_better
+
+    planned = {
+        'scenario': scenario.name, 'lookahead': policy.config.lookahead,
+        'screening': policy.config.screening.enabled, 'split': given.split,
+        'episodes': given.episodes,
+    }  # fmt: skip
+    require_no_better(find_model(given.model), planned)
 
 
 def update_card(model: str, values: dict[str, Any]) -> None:

@@ -110,10 +110,12 @@ def headlines(path: Path) -> str:
 
 def headline(result: dict[str, Any]) -> str:
     """
-    Return a result in a few words.
+    Return a result in a few words; of another split than test, which one.
 
     :param result: as in metrics.json.
     """
-    time = result['navigation_time_mean']
-    seconds = '' if time is None else f' ({time:.2f} s)'
-    return f'{result["scenario"]} {result["success_rate"]:.3f}{seconds}'
+    time, split = result['navigation_time_mean'], result['split']
+    remarks = [] if time is None else [f'{time:.2f} s']
+    remarks += [] if split == 'test' else [split]
+    remark = f' ({", ".join(remarks)})' if remarks else ''
+    return f'{result["scenario"]} {result["success_rate"]:.3f}{remark}'

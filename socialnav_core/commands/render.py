@@ -108,14 +108,11 @@ def write(recording: Any, path: Path) -> None:
     :param recording: the episode.
     :param path: of the file, whose folder is made if needed.
     """
+    from socialnav_core.policies.checkpoint import written_whole
+
     writer = writer_of(path.suffix)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f'.{path.stem}.part{path.suffix}')
-    try:
+    with written_whole(path) as temporary:
         writer(recording, temporary)
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
 def writer_of(suffix: str) -> Callable[[Any, Path], None]:

@@ -79,17 +79,32 @@ def run(given: argparse.Namespace) -> None:
     names = NAMES if ALL in given.names else tuple(dict.fromkeys(given.names))
     experiments = [EXPERIMENTS[name].with_seeds(seeds) for name in names]
     try:
-        for source, some in groups(experiments, laboratory):
-            source.provide((r for each in some for r in each.requests(source)), not given.no_train)
+        provide(experiments, laboratory, not given.no_train)
+        if given.ship:
+            own = dataclasses.replace(laboratory, records=None)
+            models, kept = ROOT / 'models', results / 'records'
+            for line in ship(longest(experiments), own, models, kept, not given.no_train):
+                print(line)
+            # What had only a record may be trained now: page and model are of the same weights.
+            provide(experiments, laboratory, not given.no_train)
     except KeyboardInterrupt:
         say('what was begun is saved; the same command goes on with it')
         raise
     for experiment in experiments:
         command = command_of(experiment.name, given)
         print(write_results(experiment, laboratory, results, command))
-    if given.ship:
-        for line in ship(longest(experiments), laboratory, ROOT / 'models', results / 'records'):
-            print(line)
+
+
+def provide(experiments: list[Any], laboratory: Any, train: bool) -> None:
+    """
+    Train and measure what is missing for some experiments.
+
+    :param experiments: some.
+    :param laboratory: that may take records for runs.
+    :param train: whether runs may be trained; otherwise all must be.
+    """
+    for source, some in groups(experiments, laboratory):
+        source.provide((r for each in some for r in each.requests(source)), train)
 
 
 def groups(experiments: list[Any], laboratory: Any) -> list[tuple[Any, list[Any]]]:

@@ -1,5 +1,7 @@
 """A checkpoint on disk: weights in safetensors, the resolved config beside them."""
 
+from collections.abc import Iterator
+import contextlib
 import hashlib
 import os
 from pathlib import Path
@@ -158,6 +160,22 @@ def atomic_write(path: Path, data: bytes) -> None:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
+        temporary.replace(path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+@contextlib.contextmanager
+def written_whole(path: Path) -> Iterator[Path]:
+    """
+    Give a file to write to that takes the place of another when it is complete, else is removed.
+
+    :param path: of the file that is replaced, whose folder is made if needed.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(f'.{path.stem}.part{path.suffix}')
+    try:
+        yield temporary
         temporary.replace(path)
     finally:
         temporary.unlink(missing_ok=True)

@@ -8,7 +8,7 @@ import numpy as np
 
 from socialnav_core.evaluation.plots import plot_recordings
 from socialnav_core.evaluation.recording import summary
-from socialnav_core.policies.checkpoint import checkpoint_digest
+from socialnav_core.policies.checkpoint import checkpoint_digest, written_whole
 from socialnav_core.reproduction.experiments import Entry, Experiment, FREEZING
 from socialnav_core.reproduction.freezing import (
     Found,
@@ -43,10 +43,12 @@ def draw_figure(
     find = freezing if experiment.layout == FREEZING else contrast
     found = find(experiment.entries, laboratory)
     picture = results / f'{experiment.name}.png'
-    picture.unlink(missing_ok=True)
     if found:
         moments = None if experiment.layout == FREEZING else attention_moments(found)
-        plot_recordings([each.recording for each in found], picture, moments)
+        with written_whole(picture) as temporary:
+            plot_recordings([each.recording for each in found], temporary, moments)
+    else:
+        picture.unlink(missing_ok=True)
     sections = [
         f'# {experiment.title}\n\n{experiment.question}\n\n    {command}',
         f'![{experiment.title}]({picture.name})' if found else NOT_FOUND,
@@ -135,7 +137,8 @@ def shown(found: Sequence[Found]) -> str:
     return (
         'From left to right, with the training seed; numbers on the paths are seconds, fainter '
         'discs are earlier ones. Violet lines, where there are any, show the attention to each '
-        'agent at one moment.\n\n'
+        'agent at one moment. The commands of the cases need the trained runs, which the command '
+        'above leaves.\n\n'
         f'{markdown_table(head, lines)}'
     )
 
@@ -156,9 +159,11 @@ def render_options(found: Found) -> str:
 
     :param found: the case.
     """
+    case = found.recording.case_index
+    name = f'{found.row.name}-{found.seed}-{found.cases.scenario}-{case}.gif'
     return (
-        f'--scenario {found.cases.scenario} --seed 0 --case {found.recording.case_index} '
-        f'--lookahead {found.cases.lookahead} --no-screening'
+        f'--scenario {found.cases.scenario} --seed 0 --case {case} '
+        f'--lookahead {found.cases.lookahead} --no-screening --out {Path("out", "render", name)}'
     )
 
 

@@ -1,6 +1,7 @@
 """Numbers and tables as Markdown."""
 
 from collections.abc import Sequence
+from decimal import Decimal, ROUND_HALF_UP
 
 from socialnav_core.evaluation.statistics import Estimate
 
@@ -23,12 +24,16 @@ def markdown_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 def number(value: float | None, figure: str) -> str:
     """
-    Return a number, a dash for None.
+    Return a number, halves rounded up, a dash for None.
 
     :param value: the number.
     :param figure: what it is, which says how many digits it has.
     """
-    return NOTHING if value is None else f'{value:.{DIGITS.get(figure, 3)}f}'
+    if value is None:
+        return NOTHING
+    last_digit = Decimal(1).scaleb(-DIGITS.get(figure, 3))
+    # Of the decimal number that people read: the double 13.645 is a little less than that.
+    return str(Decimal(repr(float(value))).quantize(last_digit, ROUND_HALF_UP))
 
 
 def estimate_text(estimate: Estimate | None, figure: str, sign: str = '') -> str:

@@ -1,6 +1,7 @@
 """A page of docs/results, made of the measurements alone."""
 
 from collections.abc import Sequence
+import math
 from pathlib import Path
 
 from socialnav_core.reproduction import runs
@@ -18,6 +19,8 @@ from socialnav_core.reproduction.paired import PairedDifference
 from socialnav_core.reproduction.report_tables import report_table, verdict_table
 from socialnav_core.reproduction.summary import FIGURES, seed_interval, Summary
 
+LEVEL = 0.05
+"""Below it, a difference of a seed is called one."""
 FIGURE_COLUMNS = ('Success', 'Collision', 'Time-out', 'Time (s)')
 
 
@@ -132,34 +135,41 @@ def paired(differences: Sequence[PairedDifference]) -> str:
     """
     if not differences:
         return ''
-    head = ['First', 'Second', 'World', 'Look-ahead', 'Success, first - second',
-            'Only first : only second', 'Seeds better : worse', 'Least p (Holm)',
+    head = ['First', 'Second', 'World', 'Look-ahead', 'Seeds', 'Success, first - second',
+            'Only first : only second', 'Seeds better : worse',
+            f'Better : worse at p < {LEVEL} (Holm)', 'Least p (Holm)',
             'Time where both arrive (s)']  # fmt: skip
     lines = [
         [each.first.row.label, each.second.row.label, f'`{each.first.scenario}`',
-         LOOKAHEAD_LABELS[each.first.lookahead], estimate_text(each.success, 'success', '+'),
-         f'{each.pooled[0]} : {each.pooled[1]}', seeds_won(each), p_value(min(each.adjusted)),
+         LOOKAHEAD_LABELS[each.first.lookahead], str(len(each.tests)),
+         estimate_text(each.success, 'success', '+'), f'{each.pooled[0]} : {each.pooled[1]}',
+         seeds_won(each), seeds_won(each, LEVEL), p_value(min(each.adjusted)),
          estimate_text(each.time, 'time', '+')]
         for each in differences
     ]  # fmt: skip
     count = sum(len(each.tests) for each in differences)
     return (
-        '## Paired differences on the same cases\n\nIntervals: 95 %, bootstrap over seeds and '
-        "cases. Each seed of the first is tested against the same seed of the second by McNemar's "
-        f"exact test; the p-values are adjusted for all {count} tests by Holm's method, and the "
-        'least one of a line is shown: below 0.05, at least one seed differs.\n\n'
+        '## Paired differences on the same cases\n\nIntervals: 95 %, bootstrap over the seeds '
+        'that both have and the cases; with one seed: over cases alone. Each seed of the first is '
+        "tested against the same seed of the second by McNemar's exact test; the p-values are "
+        f'adjusted for all {count} tests by Holm\'s method. "Better : worse" counts the seeds in '
+        'which the first solves more cases and fewer, then those of them whose adjusted p is '
+        f'below {LEVEL}.\n\n'
         f'{markdown_table(head, lines)}'
     )
 
 
-def seeds_won(difference: PairedDifference) -> str:
+def seeds_won(difference: PairedDifference, level: float = math.inf) -> str:
     """
     Return in how many seeds the first solved more cases than the second, and fewer.
 
     :param difference: of two rows.
+    :param level: only seeds count whose adjusted p-value is smaller.
     """
-    better = sum(test.first_only > test.second_only for test in difference.tests)
-    worse = sum(test.first_only < test.second_only for test in difference.tests)
+    pairs = zip(difference.tests, difference.adjusted, strict=True)
+    tests = [test for test, adjusted in pairs if adjusted < level]
+    better = sum(test.first_only > test.second_only for test in tests)
+    worse = sum(test.first_only < test.second_only for test in tests)
     return f'{better} : {worse}'
 
 

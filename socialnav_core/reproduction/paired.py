@@ -66,8 +66,8 @@ def paired_differences(
     found = [
         paired_difference(summary, by_name[second, summary.scenario, summary.lookahead])
         for first, second in pairs
-        for (name, *_), summary in by_name.items()
-        if name == first
+        for (name, *where), summary in by_name.items()
+        if name == first and (second, *where) in by_name
     ]
     values = [test.p_value for difference in found for test in difference.tests]
     adjusted = iter(holm(values).tolist()) if values else iter(())

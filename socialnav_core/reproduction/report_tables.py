@@ -15,7 +15,6 @@ REPORTED = ('success', 'collision', 'time')
 NAMES = {
     'success': 'Success',
     'collision': 'Collision',
-    'timeout': 'Time-out',
     'time': 'Nav. time (s)',
 }
 
@@ -106,10 +105,10 @@ def verdict(theirs: float, ours: Summary, figure: str) -> str:
     :param ours: our measurements.
     :param figure: success, collision or time.
     """
-    mean = ours.mean(figure)
-    if figure == 'time' or mean is None:
-        return time_verdict(theirs, mean)
-    return rate_verdict(theirs, mean, more_is_better=figure == 'success')
+    if figure == 'time':
+        return time_verdict(theirs, ours.mean(figure))
+    rate = float(ours.values(figure).mean())
+    return rate_verdict(theirs, rate, more_is_better=figure == 'success')
 
 
 def report_figure(row: str, scenario: str, figure: str) -> float | None:

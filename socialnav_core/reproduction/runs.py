@@ -1,6 +1,5 @@
 """A training run of one row and seed: its folder, its command and whether it is finished."""
 
-import csv
 import dataclasses
 import os
 from pathlib import Path
@@ -20,7 +19,7 @@ from socialnav_core.policies.checkpoint import (
 from socialnav_core.reproduction.rows import Row
 from socialnav_core.settings import flatten, to_mapping
 from socialnav_core.training.checkpoint import STATE_NAME
-from socialnav_core.training.model_card import CARD_NAME
+from socialnav_core.training.model_card import CARD_NAME, last_row
 from socialnav_core.training.progress import CSV_NAME
 
 MACHINE = 'machine.yaml'
@@ -46,7 +45,7 @@ def training_of(folder: Path) -> Training:
 
     :param folder: of the run.
     """
-    return Training(checkpoint_digest(folder), last_progress(folder), machine_of(folder))
+    return Training(checkpoint_digest(folder), last_row(folder / CSV_NAME), machine_of(folder))
 
 
 def is_finished(folder: Path) -> bool:
@@ -134,14 +133,3 @@ def machine_of(folder: Path) -> dict[str, Any]:
     """
     path = folder / MACHINE
     return yaml.safe_load(path.read_text(encoding='utf-8')) if path.is_file() else {}
-
-
-def last_progress(folder: Path) -> dict[str, float]:
-    """
-    Return the last row of a run's progress.
-
-    :param folder: of a finished run.
-    """
-    with (folder / CSV_NAME).open(newline='', encoding='utf-8') as file:
-        rows = list(csv.DictReader(file))
-    return {name: float(value) for name, value in rows[-1].items()}

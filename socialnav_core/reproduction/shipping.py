@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 import json
 from pathlib import Path
-import shutil
+from typing import Any
 
 import numpy as np
 
@@ -16,25 +16,34 @@ from socialnav_core.policies.checkpoint import (
 from socialnav_core.reproduction.experiments import Entry
 from socialnav_core.reproduction.laboratory import Laboratory, Request
 from socialnav_core.reproduction.measurements import Cases, Measurement
+from socialnav_core.simulation import make_scenario
 from socialnav_core.training import write_model_card
-from socialnav_core.training.model_card import METRICS_NAME
+from socialnav_core.training.model_card import METRICS_NAME, read_metrics, result_key
 from socialnav_core.training.progress import CSV_NAME
 
 CARD_EPISODES = 5000
 CHOICE_EPISODES = 500
 LOOKAHEAD = 'constant_velocity'
+ORACLE_TOO = ('sarl', 'gat4sn')
+"""Rows whose cards have the oracle beside it, as in the report."""
 
 
 def ship(
-    entries: Sequence[Entry], laboratory: Laboratory, models: Path, records: Path
+    entries: Sequence[Entry],
+    laboratory: Laboratory,
+    models: Path,
+    records: Path,
+    train: bool = True,
 ) -> list[str]:
     """
     Put the best seed of each shipped row into models/; return a line about each.
 
     :param entries: rows whose seeds are trained.
-    :param laboratory: that trained them.
+    :param laboratory: that trains them; without records, which have no weights.
     :param models: folder of the models.
     :param records: folder of records, which get the measurements behind the choice.
+    :param train: whether runs may be trained; otherwise all must be.
+    :raises ConfigError: when a run has other settings than its row, or may not be trained.
     """
     shipped = [entry for entry in entries if entry.row.shipped]
     choices = [
@@ -42,18 +51,21 @@ def ship(
         for entry in shipped
         for seed in range(entry.seeds)
     ]
-    laboratory.provide(choices)
+    laboratory.provide(choices, train)
     for choice in choices:
         laboratory.publish(choice, records)
     chosen = [(entry, best_seed(entry, laboratory)) for entry in shipped]
-    chosen = [each for each in chosen if not is_there(*each, laboratory, models)]
-    laboratory.provide(Request(entry.row, seed, card_cases(entry)) for entry, seed in chosen)
-    return [copy_run(entry, seed, laboratory, models) for entry, seed in chosen]
+    missing = [each for each in chosen if not is_there(*each, laboratory, models)]
+    laboratory.provide((Request(e.row, seed, card_cases(e)) for e, seed in missing), train)
+    lines = [copy_run(entry, seed, laboratory, models) for entry, seed in missing]
+    for entry in shipped:  # also where an earlier run was killed before it wrote the card
+        write_model_card(models / entry.row.name)
+    return lines
 
 
 def is_there(entry: Entry, seed: int, laboratory: Laboratory, models: Path) -> bool:
     """
-    Return whether models/ has the weights of a run.
+    Return whether models/ has the weights of a run and all results that its card needs.
 
     :param entry: of its row.
     :param seed: of the run.
@@ -61,9 +73,34 @@ def is_there(entry: Entry, seed: int, laboratory: Laboratory, models: Path) -> b
     :param models: folder of the models.
     """
     folder = models / entry.row.name
-    if not (folder / WEIGHTS).is_file():
-        return False
-    return checkpoint_digest(folder) == laboratory.training(entry.row, seed).weights
+    results = list(read_metrics(folder).values())
+    complete = all(is_among(cases, results) for cases in card_cases(entry))
+    return complete and has_weights(folder, laboratory.run(entry.row, seed))
+
+
+def is_among(cases: Cases, results: Sequence[dict[str, Any]]) -> bool:
+    """
+    Return whether one of some results is of these cases, or of more of the same kind.
+
+    :param cases: which ones.
+    :param results: as in metrics.json.
+    """
+    kind = (make_scenario(cases.scenario).name, cases.lookahead, cases.split, 0, False)
+    names = ('scenario', 'lookahead', 'split', 'seed', 'screening')
+    return any(
+        tuple(result[name] for name in names) == kind and result['episodes'] >= cases.episodes
+        for result in results
+    )
+
+
+def has_weights(folder: Path, run: Path) -> bool:
+    """
+    Return whether a model has the weights of a run.
+
+    :param folder: of the model.
+    :param run: folder of the run.
+    """
+    return (folder / WEIGHTS).is_file() and checkpoint_digest(folder) == checkpoint_digest(run)
 
 
 def choice_cases(entry: Entry) -> Cases:
@@ -81,7 +118,12 @@ def card_cases(entry: Entry) -> tuple[Cases, ...]:
 
     :param entry: of the row.
     """
-    return tuple(Cases(test, LOOKAHEAD, episodes=CARD_EPISODES) for test in entry.row.tests)
+    lookaheads = (LOOKAHEAD, 'oracle') if entry.row.name in ORACLE_TOO else (LOOKAHEAD,)
+    return tuple(
+        Cases(test, lookahead, episodes=CARD_EPISODES)
+        for test in entry.row.tests
+        for lookahead in lookaheads
+    )
 
 
 def best_seed(entry: Entry, laboratory: Laboratory) -> int:
@@ -113,22 +155,40 @@ def copy_run(entry: Entry, seed: int, laboratory: Laboratory, models: Path) -> s
     """
     Put a run into models/ and return a line about it.
 
+    Weights go first and come last: a model that was put there in part has none.
+
     :param entry: of its row.
     :param seed: of the run.
     :param laboratory: that trained it.
     :param models: folder of the models.
     """
     run, folder = laboratory.run(entry.row, seed), models / entry.row.name
-    summaries = [
-        laboratory.measurement(entry.row, seed, cases).summary for cases in card_cases(entry)
-    ]
-    # By the scenario's own name, as `evaluate --card` does: curriculum-2.0 is called curriculum-2.
-    metrics = {each['scenario']: each | {'model': entry.row.name} for each in summaries}
+    measured = card_results(entry, seed, laboratory)
+    metrics = measured
     folder.mkdir(parents=True, exist_ok=True)
-    for name in (CONFIG, CSV_NAME, WEIGHTS):
-        shutil.copyfile(run / name, folder / name)
+    if has_weights(folder, run):
+        metrics = read_metrics(folder) | measured
+    else:
+        (folder / WEIGHTS).unlink(missing_ok=True)
     text = json.dumps(dict(sorted(metrics.items())), indent=2)
     atomic_write(folder / METRICS_NAME, f'{text}\n'.encode())
+    for name in (CONFIG, CSV_NAME, WEIGHTS):
+        atomic_write(folder / name, (run / name).read_bytes())
     write_model_card(folder)
-    rates = ', '.join(f'{name} {each["success_rate"]:.4f}' for name, each in metrics.items())
+    rates = ', '.join(f'{name} {each["success_rate"]:.4f}' for name, each in measured.items())
     return f'{folder}: seed {seed} of {entry.seeds}; success {rates}'
+
+
+def card_results(entry: Entry, seed: int, laboratory: Laboratory) -> dict[str, dict[str, Any]]:
+    """
+    Return what the model card tells of a run, by the keys of metrics.json.
+
+    :param entry: of its row.
+    :param seed: of the run.
+    :param laboratory: that measured it.
+    """
+    config = entry.row.resolved(seed, quick=False)
+    results = (
+        laboratory.measurement(entry.row, seed, cases).summary for cases in card_cases(entry)
+    )
+    return {result_key(each, config): each | {'model': entry.row.name} for each in results}

@@ -4,8 +4,6 @@ import numpy as np
 
 from socialnav_core.simulation import Outcome
 
-EPISODE_FIELDS = ('case_index', 'outcome', 'time')
-
 
 class EpisodeWindow:
     """

@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from socialnav_core.config import Config, TrainingConfig
+from socialnav_core.config import Config, ConfigError, TrainingConfig
 from socialnav_core.policies.checkpoint import atomic_write, checkpoint_digest, load_checkpoint
 from socialnav_core.training.progress import CSV_NAME
 
@@ -37,6 +37,26 @@ def add_result(folder: Path, result: dict[str, Any]) -> None:
     }
     text = json.dumps(dict(sorted(metrics.items())), indent=2)
     atomic_write(folder / METRICS_NAME, f'{text}\n'.encode())
+
+
+def require_no_better(folder: Path, result: dict[str, Any]) -> None:
+    """
+    Raise a ConfigError when a result would replace one of more cases, or one of the test split.
+
+    :param folder: of the checkpoint.
+    :param result: of an evaluation, or what is known of it before: all that decides its key, split
+        and episodes.
+    """
+    key = result_key(result, load_checkpoint(folder)[1])
+    kept = read_metrics(folder).get(key)
+    if kept is None:
+        return
+    of_test = kept['split'] == 'test' != result['split']
+    if of_test or result['episodes'] < kept['episodes']:
+        raise ConfigError(
+            f'the card has {kept["episodes"]:,} {kept["split"]} cases of {key}, this would be '
+            f'{result["episodes"]:,} {result["split"]} cases; replace them by --overwrite'
+        )
 
 
 def result_key(result: dict[str, Any], config: Config) -> str:
@@ -216,13 +236,15 @@ def limits(config: Config) -> str:
     :param config: of the checkpoint.
     """
     scenario = config.scenario
-    seen = 'see' if scenario.robot_visible else 'do not see'
+    seen, people = 'see', 'real people do not follow ORCA'
+    if not scenario.robot_visible:
+        seen, people = 'do not see', f'{people}, and they do see the robot'
     return (
         '## Limits\n\n'
         '- The network sees positions, velocities and radii without noise or occlusion, and no '
         'walls.\n'
         f'- Its pedestrians follow ORCA at {scenario.pedestrian_speed:g} m/s and {seen} the '
-        'robot; people do neither.\n'
+        f'robot; {people}.\n'
         f'- It was trained with {scenario.agents} agents and obstacles up to '
         f'{scenario.obstacle_radius_max:g} m of radius; more or larger ones are extrapolation.\n'
         + unvaried_features(config)

@@ -89,7 +89,8 @@ def test_the_commands_lead_from_each_state_to_the_next(kinematics, tmp_path):
     recording = record(policy, scenario, seed=1)
     bag.write_bag(recording, tmp_path / 'episode.mcap')
     twists = [one.twist for _, one in messages(tmp_path / 'episode.mcap', '/cmd_vel')]
-    for before, after, twist in zip(recording.states, recording.states[1:], twists, strict=False):
+    steps = zip(recording.states[:-1], recording.states[1:], twists, strict=True)
+    for before, after, twist in steps:
         way = np.linalg.norm(after.robot_position - before.robot_position)
         elapsed = float(after.time[0] - before.time[0])
         speed = np.hypot(twist.linear.x, twist.linear.y)

@@ -7,7 +7,9 @@ from socialnav_core.evaluation import record, Recording
 from socialnav_core.evaluation.plots import plot_recordings
 from socialnav_core.policies import ValuePolicy
 from socialnav_core.policies.checkpoint import build_network
-from socialnav_core.reproduction.freezing import standing_since, stands_near_obstacle
+from socialnav_core.reproduction.figures import render_options
+from socialnav_core.reproduction.freezing import Found, standing_since, stands_near_obstacle
+from socialnav_core.reproduction.measurements import Cases
 from socialnav_core.reproduction.rows import ROWS
 from socialnav_core.simulation import make_scenario
 from socialnav_core.states import CrowdState
@@ -60,6 +62,16 @@ def test_standing_at_a_large_obstacle_to_the_end_is_freezing(episode):
 )  # fmt: skip
 def test_arriving_small_obstacles_late_stops_and_far_places_are_not(episode, changes):
     assert not stands_near_obstacle(episode(**{'places': ARRIVING + STANDING} | changes))
+
+
+def test_cases_of_one_figure_are_rendered_into_files_of_their_own(episode):
+    recording, cases = episode(STANDING), Cases('hard', 'oracle')
+    rows = (ROWS['sarl_unfolded'], ROWS['gat4sn_unfolded'])
+    options = {
+        render_options(Found(row, seed, cases, recording)) for row in rows for seed in (0, 1)
+    }
+    assert len({text.split('--out ')[1] for text in options}) == 4
+    assert any(text.endswith('--out out/render/sarl_unfolded-1-hard-0.gif') for text in options)
 
 
 def test_a_picture_with_attention_differs_from_one_without(tmp_path):

@@ -1,14 +1,20 @@
 """Measurements belong to weights, and their figures to all seeds and cases."""
 
+import dataclasses
+import functools
+
 import numpy as np
 import pytest
 
+from socialnav_core.evaluation.statistics import McNemarResult, seeds_and_cases_bootstrap
 from socialnav_core.reproduction import measurements
-from socialnav_core.reproduction.experiments import Entry
-from socialnav_core.reproduction.measurements import Cases
+from socialnav_core.reproduction.experiments import Entry, EXPERIMENTS
+from socialnav_core.reproduction.measurements import Cases, Measurement
+from socialnav_core.reproduction.page import paired, seeds_won
 from socialnav_core.reproduction.paired import paired_differences
 from socialnav_core.reproduction.rows import ROWS
-from socialnav_core.reproduction.summary import summary_of
+from socialnav_core.reproduction.summary import Summary, summary_of
+from socialnav_core.simulation import Outcome
 
 HARD = Cases('hard', 'constant_velocity')
 SARL, GAT4SN = ROWS['sarl'], ROWS['gat4sn']
@@ -51,6 +57,19 @@ def two_rows(finished_run, measured, laboratory):
     return [summary_of(row, HARD, tuple(range(len(seeds))), laboratory) for row, seeds in outcomes]
 
 
+def made_up(experiment, laboratory):
+    """Return figures of all rows of an experiment: of two cases, the first one is solved."""
+    return [
+        Summary(
+            entry.row, cases.scenario, cases.lookahead, tuple(range(entry.seeds)),
+            (Measurement(cases, np.array([Outcome.GOAL, Outcome.TIMEOUT]), np.ones(2), {}),)
+            * entry.seeds,
+        )
+        for entry in experiment.entries
+        for cases in entry.cases(laboratory)
+    ]  # fmt: skip
+
+
 def test_means_are_over_all_seeds_and_cases(two_rows):
     sarl, gat4sn = two_rows
     assert sarl.mean('success') == 0.5
@@ -68,10 +87,44 @@ def test_pairs_are_compared_over_common_seeds_on_the_same_cases(two_rows):
     assert difference.time.mean == pytest.approx(1.0)
 
 
+@pytest.mark.parametrize('name', [name for name, each in EXPERIMENTS.items() if each.pairs])
+def test_every_pair_of_an_experiment_is_compared_where_both_were_tested(
+    name, laboratory, monkeypatch
+):
+    quick = functools.partial(seeds_and_cases_bootstrap, resamples=20)
+    monkeypatch.setattr('socialnav_core.reproduction.paired.seeds_and_cases_bootstrap', quick)
+    experiment = EXPERIMENTS[name]
+    summaries = made_up(experiment, laboratory)
+    differences = paired_differences(summaries, experiment.pairs)
+    found = [(d.first.row.name, d.second.row.name) for d in differences]
+    assert set(found) == set(experiment.pairs)
+    assert all(d.first.key[1:] == d.second.key[1:] for d in differences)
+    assert paired(differences).count('\n| ') == len(differences) + 2
+
+
 def test_adjusted_probabilities_are_never_smaller(two_rows):
     (difference,) = paired_differences(two_rows, [('gat4sn', 'sarl')])
-    for test, adjusted in zip(difference.tests, difference.adjusted, strict=True):
-        assert adjusted >= test.p_value
+    assert [test.p_value for test in difference.tests] == [1.0, 0.5]
+    assert difference.adjusted == (1.0, 1.0)
+
+
+def test_only_seeds_whose_difference_is_significant_count_as_such(two_rows):
+    (difference,) = paired_differences(two_rows, [('gat4sn', 'sarl')])
+    one_way, no_way = McNemarResult(9, 1, 0.01), McNemarResult(3, 2, 1.0)
+    other_way = McNemarResult(1, 9, 0.01)
+    difference = dataclasses.replace(
+        difference, tests=(one_way, no_way, other_way, other_way), adjusted=(0.04, 1, 0.04, 0.04)
+    )
+    assert seeds_won(difference) == '2 : 2'
+    assert seeds_won(difference, 0.05) == '1 : 2'
+
+
+def test_a_row_with_one_seed_meets_one_seed_and_the_page_says_so(two_rows, laboratory):
+    alone = summary_of(SARL, HARD, (0,), laboratory)
+    differences = paired_differences([alone, two_rows[1]], [('gat4sn', 'sarl')])
+    text = paired(differences)
+    assert '| `hard` | constant velocity | 1 | +0.250' in text
+    assert 'with one seed: over cases alone' in text
 
 
 def test_a_row_without_successes_has_no_time(finished_run, measured, laboratory):

@@ -27,6 +27,14 @@ def test_a_smoke_run_ships_nothing(capsys, tmp_path):
     assert not contents(tmp_path)
 
 
+def test_records_are_not_shipped_and_stand_for_no_training(capsys, tmp_path):
+    before = contents(DOCUMENTATION)
+    arguments = ['reproduce', 'table3', '--recorded', '--no-train', '--ship']
+    assert main([*arguments, '--out', str(tmp_path)]) == USAGE
+    assert 'is not trained' in capsys.readouterr().err
+    assert contents(DOCUMENTATION) == before
+
+
 def test_a_row_is_shipped_out_of_all_seeds_that_any_table_gives_it():
     entries = longest([EXPERIMENTS['figure1'], EXPERIMENTS['table2']])
     assert {entry.row.name: entry.seeds for entry in entries}['sarl'] == 10

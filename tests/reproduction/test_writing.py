@@ -1,13 +1,12 @@
 """Pages hold the report's figures and ours, and keep the prose that people wrote."""
 
 import json
-import shutil
 
+import numpy as np
 import pytest
 
-from socialnav_core.reproduction import EXPERIMENTS, ship, write_results
-from socialnav_core.reproduction.shipping import best_seed, card_cases, choice_cases
-from socialnav_core.training.model_card import CARD_NAME
+from socialnav_core.reproduction import EXPERIMENTS, write_results
+from socialnav_core.reproduction.markdown import number
 
 SEEDS = 2
 
@@ -30,6 +29,15 @@ def test_a_page_has_the_reports_figures_beside_ours(table3, laboratory, tmp_path
     assert '0.750: missed by 0.222' in text
     assert 'socialnav reproduce table3' in text
     assert '| 2.0 |' in text  # minutes
+
+
+@pytest.mark.parametrize(
+    ('value', 'figure', 'text'),
+    [(13.645, 'time', '13.65'), (0.9735, 'success', '0.974'), (1e-9, 'success', '0.000'),
+     (np.float64(1), 'success', '1.000'), (None, 'time', '-')],
+)  # fmt: skip
+def test_numbers_are_rounded_as_people_do_it(value, figure, text):
+    assert number(value, figure) == text
 
 
 def test_the_figures_are_written_as_json_too(table3, laboratory, tmp_path):
@@ -61,30 +69,3 @@ def test_table_ii_has_a_column_for_each_network(laboratory, finished_run, measur
     assert '| Parameters | report | 66,051 | 72,401 | 78,751 | 85,101 | 96,502 |' in text
     assert '|  | ours | 66,051 | 72,401 | 78,751 | 85,101 | 96,502 |' in text
     assert '| Success, `hard` | report | 0.982 | 0.992 | 0.954 | 0.972 | 0.958 |' in text
-
-
-def test_the_seed_is_chosen_on_validation_and_the_card_tells_of_the_test(
-    laboratory, finished_run, measured, tmp_path
-):
-    (entry,) = (e for e in EXPERIMENTS['table3'].with_seeds(3).entries if 'gat' in e.row.name)
-    solved, times = (2, 3, 3), (9.0, 12.0, 11.0)
-    for seed in range(3):
-        folder = finished_run(entry.row, seed)
-        outcomes = ['goal'] * solved[seed] + ['timeout']
-        measured(folder, choice_cases(entry), outcomes, times[seed])
-        for cases in card_cases(entry):
-            measured(folder, cases, ['goal'] * (seed + 1) + ['timeout'])
-    assert best_seed(entry, laboratory) == 2
-    (line,) = ship([entry], laboratory, tmp_path / 'models', tmp_path / 'records')
-    folder = tmp_path / 'models' / 'gat4sn_simple10'
-    assert 'seed 2 of 3; success crowd20 0.7500' in line
-    assert json.loads((folder / 'metrics.json').read_text())['crowd20']['success_rate'] == 0.75
-    assert '0.7500' in (folder / CARD_NAME).read_text()
-    assert choice_cases(entry).split == 'validation'
-
-
-def test_a_model_that_is_there_is_left_alone(laboratory, finished_run, measured, tmp_path):
-    (entry, _) = EXPERIMENTS['table3'].with_seeds(1).entries
-    measured(finished_run(entry.row, 0), choice_cases(entry), ['goal'])
-    shutil.copytree(laboratory.run(entry.row, 0), tmp_path / 'models' / entry.row.name)
-    assert not ship([entry], laboratory, tmp_path / 'models', tmp_path / 'records')

@@ -2,7 +2,6 @@
 
 import dataclasses
 import os
-import random
 import signal
 import subprocess
 import sys
@@ -23,14 +22,26 @@ try:
 except TrainingInterrupted as stop:
     print(stop)
 """
+KILLING_ITSELF = """
+import itertools, os, signal
+from pathlib import Path
+count, replace, number = itertools.count(1), Path.replace, int(sys.argv[3])
+def replace_or_die(self, target):
+    if next(count) == number:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return replace(self, target)
+Path.replace = replace_or_die
+"""
+"""Kills the process when it is about to put a file in its place, the number-th time."""
 DEADLINE = 60.0
 
 
-def start(config, folder):
-    """Start a run in another process."""
+def start(config, folder, killed_at=None):
+    """Start a run in another process, which may kill itself at one of its writes."""
     path = folder.with_suffix('.yaml')
     path.write_text(to_yaml(config))
-    arguments = [sys.executable, '-c', SCRIPT, str(path), str(folder)]
+    script = SCRIPT if killed_at is None else f'import sys\n{KILLING_ITSELF}{SCRIPT}'
+    arguments = [sys.executable, '-c', script, str(path), str(folder), str(killed_at)]
     return subprocess.Popen(
         arguments,
         stdout=subprocess.PIPE,
@@ -55,15 +66,15 @@ def longer_config(tiny_config):
     return dataclasses.replace(tiny_config, training=training)
 
 
-def test_killed_run_resumes_to_the_weights_of_an_uninterrupted_one(longer_config, tmp_path):
-    train(longer_config, tmp_path / 'whole', progress=False)
-    process = start(longer_config, tmp_path / 'cut')
-    wait_for_state(process, tmp_path / 'cut')
-    time.sleep(random.uniform(0.0, 0.5))
-    process.send_signal(signal.SIGKILL)
+@pytest.mark.parametrize('killed_at', [7, 8, 9, 21], ids=['config', 'weights', 'state', 'card'])
+def test_killed_run_resumes_to_the_weights_of_an_uninterrupted_one(
+    tiny_config, tmp_path, killed_at
+):
+    train(tiny_config, tmp_path / 'whole', progress=False)
+    process = start(tiny_config, tmp_path / 'cut', killed_at)
     process.communicate(timeout=DEADLINE)
-    assert (tmp_path / 'cut' / 'training_state.safetensors').exists(), 'it was killed too late'
-    train(longer_config, tmp_path / 'cut', resume=True, progress=False)
+    assert process.returncode == -signal.SIGKILL
+    train(tiny_config, tmp_path / 'cut', resume=True, progress=False)
     assert checkpoint_digest(tmp_path / 'cut') == checkpoint_digest(tmp_path / 'whole')
 
 
