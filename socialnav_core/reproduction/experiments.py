@@ -191,14 +191,13 @@ ATTENTION_SCORES = Experiment(
     "the report's code (linear: no LeakyReLU, so that the robot cancels in the softmax) and "
     'GATv2 (the ranking of agents may depend on the robot). All have the same training budget; '
     f'every difference is measured on the same cases. {AS_TRAINED}',
-    (*entries(10, 'sarl', *SCORES, 'sarl_unfolded', *(f'{name}_unfolded' for name in SCORES)),
-     *entries(3, 'sarl_simple10', *(f'{name}_simple10' for name in SCORES))),
+    (*entries(10, 'sarl', 'gat4sn', 'sarl_unfolded', 'gat4sn_unfolded'),
+     *entries(3, *SCORES[1:], *(f'{name}_unfolded' for name in SCORES[1:]))),
     LINES,
     (*((name, 'sarl') for name in SCORES),
      *(('gat4sn', name) for name in SCORES[1:]),
      *((f'{name}_unfolded', 'sarl_unfolded') for name in SCORES),
-     *((name, f'{name}_unfolded') for name in ('sarl', *SCORES)),
-     *((f'{name}_simple10', 'sarl_simple10') for name in SCORES)),
+     *((name, f'{name}_unfolded') for name in ('sarl', *SCORES))),
     f'{CONSTANT_VELOCITY} {SEVERAL_SEEDS} The linear and GATv2 scores. What folding does.',
     f'{RECIPE} {COLLISION_TEST}',
 )  # fmt: skip

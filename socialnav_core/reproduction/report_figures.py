@@ -43,7 +43,6 @@ PARAMETERS = {'gat4sn_1': 66051, 'gat4sn_2': 72401, 'gat4sn_3': 78751, 'gat4sn':
 
 SAME_SYSTEM = {
     'gat4sn_linear': 'gat4sn',
-    'gat4sn_linear_simple10': 'gat4sn_simple10',
     'sarl_unfolded': 'sarl',
     'gat4sn_unfolded': 'gat4sn',
     'gat4sn_linear_unfolded': 'gat4sn',
