@@ -111,6 +111,7 @@ def write(recording: Any, path: Path) -> None:
     from socialnav_core.policies.checkpoint import written_whole
 
     writer = writer_of(path.suffix)
+    path.parent.mkdir(parents=True, exist_ok=True)
     with written_whole(path) as temporary:
         writer(recording, temporary)
 

@@ -154,15 +154,10 @@ def atomic_write(path: Path, data: bytes) -> None:
     :param path: of the file; its folder exists.
     :param data: the new content.
     """
-    temporary = path.with_name(f'.{path.name}.{os.getpid()}')
-    try:
-        with temporary.open('wb') as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
+    with written_whole(path) as temporary, temporary.open('wb') as file:
+        file.write(data)
+        file.flush()
+        os.fsync(file.fileno())
 
 
 @contextlib.contextmanager
@@ -170,10 +165,9 @@ def written_whole(path: Path) -> Iterator[Path]:
     """
     Give a file to write to that takes the place of another when it is complete, else is removed.
 
-    :param path: of the file that is replaced, whose folder is made if needed.
+    :param path: of the file that is replaced; its folder exists.
     """
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f'.{path.stem}.part{path.suffix}')
+    temporary = path.with_name(f'.{path.stem}.{os.getpid()}{path.suffix}')
     try:
         yield temporary
         temporary.replace(path)

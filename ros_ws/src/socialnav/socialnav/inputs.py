@@ -140,15 +140,6 @@ class Inputs:
         return age_complaint('plan', self.ages(now)['plan'], settings.plan_timeout)
 
 
-def is_stamped(message: Any) -> bool:
-    """
-    Return whether a message says when it was made.
-
-    :param message: it has a header.
-    """
-    return nanoseconds_of(message.header.stamp) != 0
-
-
 def age_complaint(name: str, age: float, timeout: float) -> str | None:
     """
     Return what is wrong with the age of an input, or None.

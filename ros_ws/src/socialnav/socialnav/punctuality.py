@@ -46,7 +46,7 @@ class Punctuality:
         """
         Note the command of this period, if there was one.
 
-        :param moment: when the latest command was published, on the clock of the ticks, s.
+        :param moment: when the latest command was published, on the clock that always runs, s.
         :param ages: of the inputs at the tick, by name, s; none where they do not matter.
         """
         if self._expected is None or moment < self._began:
