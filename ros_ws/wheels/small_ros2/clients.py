@@ -3,11 +3,10 @@
 import time
 from typing import Any
 
-import rclpy
 from rclpy.node import Node
 
 from small_ros2.command import CommandError
-from small_ros2.graph import node_names, PATIENCE, POLL
+from small_ros2.graph import node_names, PATIENCE, pause, spin
 
 ANSWER_TIME = 10.0
 """Time that a service may take to answer, s."""
@@ -51,7 +50,7 @@ def ask(node: Node, kind: type, owner: str, service: str, request: Any) -> Any:
             if time.monotonic() > deadline:
                 known = owner in full_names(node, True)
                 raise CommandError('Wait for service timed out' if known else 'Node not found')
-            time.sleep(POLL)
+            pause()
         return response_of(node, client, request)
     finally:
         node.destroy_client(client)
@@ -67,7 +66,7 @@ def response_of(node: Node, client: Any, request: Any) -> Any:
     :raises CommandError: when no answer comes.
     """
     future = client.call_async(request)
-    rclpy.spin_until_future_complete(node, future, timeout_sec=ANSWER_TIME)
+    spin(node, future, ANSWER_TIME)
     if not future.done():
         raise CommandError(f'{client.srv_name} did not answer within {ANSWER_TIME:g} s')
     if future.exception() is not None:

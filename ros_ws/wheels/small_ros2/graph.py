@@ -2,14 +2,16 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+import math
 import os
 import signal
 import sys
 import time
 
 import rclpy
-from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+from rclpy.signals import SignalHandlerOptions
+from rclpy.task import Future
 
 QUIET = 0.5
 """Time without a change after which the graph counts as known, s."""
@@ -17,31 +19,65 @@ PATIENCE = 3.0
 """Time after which what has not been seen is taken not to be there, s."""
 POLL = 0.02
 """Time between two looks at the graph, s."""
+WAKE_UP = 0.05
+"""How often a node that is served looks for a signal, s."""
+ENDING = (signal.SIGINT, signal.SIGTERM)
+"""Signals that end a command."""
+noted: list[int] = []
+"""Those that have come."""
 
 
 @contextmanager
 def probe() -> Iterator[Node]:
-    """Yield a node that other nodes do not see in their lists; ROS ends with it."""
-    signal.signal(signal.SIGTERM, on_sigterm)
-    rclpy.init(args=[])
+    """
+    Yield a node that other nodes do not see in their lists; ROS ends with it.
+
+    ENDING signals are noted until heed() looks at them: an exception out of a handler may come
+    where rclpy's C++ calls Python and cannot pass it on, and rclpy's own thread for signals ends
+    ROS while this one may be ending it too.
+    """
+    for number in ENDING:
+        signal.signal(number, lambda received, _: noted.append(received))
+    rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
     try:
         yield rclpy.create_node(
             f'_ros2cli_{os.getpid()}', enable_rosout=False, start_parameter_services=False
         )
-    except ExternalShutdownException:
-        # Ctrl-C, where Python was started with SIGINT ignored, as in the background of a script.
-        raise KeyboardInterrupt from None
     finally:
         rclpy.try_shutdown()
 
 
-def on_sigterm(number: int, _: object) -> None:
+def heed() -> None:
     """
-    End the program in order; rclpy's own handler, which runs first, only ends ROS.
+    Leave the program if an ENDING signal has come.
 
-    :param number: of the signal.
+    :raises KeyboardInterrupt: after SIGINT.
+    :raises SystemExit: after SIGTERM.
     """
-    sys.exit(128 + number)
+    if signal.SIGINT in noted:
+        raise KeyboardInterrupt
+    if noted:
+        sys.exit(128 + noted[0])
+
+
+def pause() -> None:
+    """Wait for a moment between two looks at the graph; heed signals."""
+    time.sleep(POLL)
+    heed()
+
+
+def spin(node: Node, done: Future, patience: float = math.inf) -> None:
+    """
+    Serve a node until something is done.
+
+    :param node: to serve.
+    :param done: ends it.
+    :param patience: time after which it ends all the same, s.
+    """
+    deadline = time.monotonic() + patience
+    while not done.done() and (left := deadline - time.monotonic()) > 0.0:
+        rclpy.spin_until_future_complete(node, done, timeout_sec=min(left, WAKE_UP))
+        heed()
 
 
 def look(node: Node, wanted: Callable[[], object]) -> bool:
@@ -59,7 +95,7 @@ def look(node: Node, wanted: Callable[[], object]) -> bool:
             before, since = after, now
         if now - since >= QUIET and wanted():
             return True
-        time.sleep(POLL)
+        pause()
     return bool(wanted())
 
 

@@ -4,11 +4,10 @@ import argparse
 from functools import reduce
 from typing import Any
 
-import rclpy
 from rclpy.task import Future
 
 from small_ros2.command import CommandError
-from small_ros2.graph import probe
+from small_ros2.graph import probe, spin
 from small_ros2.messages import message_text
 from small_ros2.subscription import find
 
@@ -53,7 +52,7 @@ def echo(options: argparse.Namespace) -> None:
                 done.set_result(True)
 
         node.create_subscription(kind, topic, on_message, profile)
-        rclpy.spin_until_future_complete(node, done)
+        spin(node, done)
 
 
 def text(message: Any, options: argparse.Namespace) -> str:

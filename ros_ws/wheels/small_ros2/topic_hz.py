@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from statistics import fmean, pstdev
 import time
 
-import rclpy
+from rclpy.task import Future
 
-from small_ros2.graph import probe
+from small_ros2.graph import probe, spin
 from small_ros2.subscription import find
 
 WINDOW = 10000
@@ -61,7 +61,7 @@ def measure(options: argparse.Namespace) -> None:
             kind, topic, lambda _: arrivals.append(time.monotonic()), profile, raw=True
         )
         node.create_timer(PERIOD, on_timer)
-        rclpy.spin(node)
+        spin(node, Future())
 
 
 def rate_text(arrivals: Sequence[float]) -> str:

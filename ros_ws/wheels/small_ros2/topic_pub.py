@@ -4,14 +4,13 @@ import argparse
 from itertools import count
 import time
 
-import rclpy
 from rclpy.duration import Duration
 from rclpy.publisher import Publisher
 from rclpy.task import Future
 
 from small_ros2.command import CommandError
 from small_ros2.filling import filled
-from small_ros2.graph import POLL, probe
+from small_ros2.graph import pause, probe, spin
 from small_ros2.messages import message_class
 
 DEPTH = 10
@@ -71,7 +70,7 @@ def publish(options: argparse.Namespace) -> None:
             wait_for_subscriber(publisher)
         print('publisher: beginning loop')
         node.create_timer(1.0 / options.rate, on_timer)
-        rclpy.spin_until_future_complete(node, done)
+        spin(node, done)
         publisher.wait_for_all_acked(LAST_WORD)
 
 
@@ -88,4 +87,4 @@ def wait_for_subscriber(publisher: Publisher) -> None:
     while not publisher.get_subscription_count():
         if time.monotonic() > deadline:
             raise CommandError(f'nobody listens to {publisher.topic_name}')
-        time.sleep(POLL)
+        pause()
