@@ -19,8 +19,8 @@ from socialnav_core.simulation import Simulator
 from socialnav_core.states import CrowdState
 from socialnav_msgs.msg import AgentStates
 
-RATE = 20.0
-"""Inputs published per second, Hz."""
+RATE = 19.9
+"""Inputs published per second, Hz: within ten seconds one has come at any moment before a tick."""
 WORLDS = 20
 CHANGE = 0.5
 """Time after which the next world is shown, s."""

@@ -128,8 +128,15 @@ def attend(
     else:
         scores = _static_scores(tensors, robot, others)
     weights = masked_softmax(scores.transpose(1, 2), mask[:, None])
-    weighted = weights.transpose(1, 2)[..., None] * other_rows
+    weighted = _weighted(other_rows, weights.transpose(1, 2)[..., None])
     return robot_rows, weighted.flatten(2), weights
+
+
+def _weighted(rows: torch.Tensor, weights: torch.Tensor) -> torch.Tensor:
+    """Return rows times weights, in place where nobody needs the rows any more."""
+    if torch.is_grad_enabled() or rows.dtype != weights.dtype:
+        return rows * weights
+    return rows.mul_(weights)  # fresh memory would take longer than the product itself
 
 
 def _static_scores(

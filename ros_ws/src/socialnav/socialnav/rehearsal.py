@@ -6,8 +6,10 @@ from rclpy.timer import Timer
 from socialnav.alarm import Alarm
 from socialnav.controller import Controller
 
-ADVANCE = 0.002
-"""Time between the end of a rehearsal and the tick, s; a cold rehearsal takes some of it."""
+ADVANCE = 0.001
+"""Time between the end of a rehearsal and the tick, s: what it has fetched is soon lost again."""
+COLD = 1.5
+"""Duration of a rehearsal, which finds nothing warm, in durations of a decision."""
 PAUSE = 0.02
 """Shortest time without a decision after which a rehearsal is worth its time, s."""
 
@@ -35,7 +37,7 @@ class Rehearsal:
     def expect(self) -> None:
         """Rehearse before the next tick, unless that is near or the rehearsal would delay it."""
         until_tick = self._ticks.time_until_next_call() * 1e-9
-        delay = until_tick - ADVANCE - 2 * self._controller.tally.decision_time
+        delay = until_tick - ADVANCE - COLD * self._controller.tally.decision_time
         if delay > PAUSE:
             self._alarm.set(delay)
 
