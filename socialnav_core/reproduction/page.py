@@ -16,7 +16,7 @@ from socialnav_core.reproduction.markdown import (
     p_value,
 )
 from socialnav_core.reproduction.paired import PairedDifference
-from socialnav_core.reproduction.report_tables import report_table, verdict_table
+from socialnav_core.reproduction.report_tables import report_has_any, report_table, verdict_table
 from socialnav_core.reproduction.summary import FIGURES, seed_interval, Summary
 
 LEVEL = 0.05
@@ -44,8 +44,7 @@ def table_page(
     """
     sections = [
         opening(experiment, command, laboratory),
-        f"## The report's figures and ours\n\n{report_table(experiment, summaries)}",
-        verdicts(summaries),
+        *(comparison(experiment, summaries) if report_has_any(summaries) else ()),
         interpretation(notes),
         intervals(summaries),
         paired(differences),
@@ -76,15 +75,17 @@ def opening(experiment: Experiment, command: str, laboratory: Laboratory) -> str
     )
 
 
-def verdicts(summaries: Sequence[Summary]) -> str:
+def comparison(experiment: Experiment, summaries: Sequence[Summary]) -> tuple[str, str]:
     """
-    Return the section that judges each figure of the report.
+    Return the sections that set the report's figures beside ours and judge each of them.
 
-    :param summaries: of all rows.
+    :param experiment: the table.
+    :param summaries: of all its rows.
     """
     return (
+        f"## The report's figures and ours\n\n{report_table(experiment, summaries)}",
         '## Verdicts\n\nOur mean over the training seeds against the figure of the report; its '
-        f"interval is Wilson's at its 500 cases.\n\n{verdict_table(summaries)}"
+        f"interval is Wilson's at its 500 cases.\n\n{verdict_table(summaries)}",
     )
 
 

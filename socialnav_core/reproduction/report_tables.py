@@ -19,6 +19,15 @@ NAMES = {
 }
 
 
+def report_has_any(summaries: Sequence[Summary]) -> bool:
+    """
+    Return whether the report has a figure for any of the rows.
+
+    :param summaries: of all rows.
+    """
+    return any(reported(row.name, scenario) for row, scenario in rows_and_scenarios(summaries))
+
+
 def report_table(experiment: Experiment, summaries: Sequence[Summary]) -> str:
     """
     Return a table in the layout of the report.

@@ -12,6 +12,22 @@ SEEDS = 2
 
 
 @pytest.fixture
+def with_measurements(laboratory, finished_run, measured):
+    """Return a function that leaves the same measurement for each run of an experiment."""
+
+    def make(name, seeds=1):
+        experiment = EXPERIMENTS[name].with_seeds(seeds)
+        for entry in experiment.entries:
+            for seed in range(seeds):
+                folder = finished_run(entry.row, seed)
+                for cases in entry.cases(laboratory):
+                    measured(folder, cases, ['goal', 'goal', 'timeout'])
+        return experiment
+
+    return make
+
+
+@pytest.fixture
 def table3(laboratory, finished_run, measured):
     """Return table III, for which all was measured: GAT4SN solves 3 of 4 cases, SARL 2."""
     experiment = EXPERIMENTS['table3'].with_seeds(SEEDS)
@@ -59,13 +75,18 @@ def test_writing_again_keeps_the_notes(table3, laboratory, tmp_path):
     assert '## Interpretation\n\nTwenty people are many.' in pages[0]
 
 
-def test_table_ii_has_a_column_for_each_network(laboratory, finished_run, measured, tmp_path):
-    experiment = EXPERIMENTS['table2'].with_seeds(1)
-    for entry in experiment.entries:
-        folder = finished_run(entry.row, 0)
-        for cases in entry.cases(laboratory):
-            measured(folder, cases, ['goal', 'goal', 'timeout'])
+def test_table_ii_has_a_column_for_each_network(laboratory, with_measurements, tmp_path):
+    experiment = with_measurements('table2')
     text = write_results(experiment, laboratory, tmp_path, 'command').read_text()
     assert '| Parameters | report | 66,051 | 72,401 | 78,751 | 85,101 | 96,502 |' in text
     assert '|  | ours | 66,051 | 72,401 | 78,751 | 85,101 | 96,502 |' in text
     assert '| Success, `hard` | report | 0.982 | 0.992 | 0.954 | 0.972 | 0.958 |' in text
+
+
+def test_what_the_report_has_no_figures_for_is_compared_among_ours_alone(
+    laboratory, with_measurements, tmp_path
+):
+    experiment = with_measurements('schedulers')
+    text = write_results(experiment, laboratory, tmp_path, 'command').read_text()
+    assert 'Verdicts' not in text and "The report's figures" not in text
+    assert '| SARL with baby steps, packed | `packed-2.5` | oracle | 1 | 0.667' in text
