@@ -9,6 +9,7 @@ from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackRet
 from socialnav import qos
 from socialnav.diagnostics import diagnostics_message
 from socialnav.driver import Driver
+from socialnav.memory import set_aside
 from socialnav.parameters import declare, fixed_values, POLICY_PARAMETERS
 from socialnav.running import run
 
@@ -79,6 +80,7 @@ class PolicyNode(LifecycleNode):
             if self.on_configure(state) != SUCCESS:
                 return FAILURE
         result = super().on_activate(state)
+        set_aside()
         self.driver.start(self.values)
         self.enter('active')
         return result
