@@ -1,12 +1,11 @@
 """Calls of services that are known only by name."""
 
-import time
 from typing import Any
 
 from rclpy.node import Node
 
 from small_ros2.command import CommandError
-from small_ros2.graph import node_names, PATIENCE, pause, spin
+from small_ros2.graph import comes, node_names, PATIENCE, spin
 
 ANSWER_TIME = 10.0
 """Time that a service may take to answer, s."""
@@ -44,13 +43,10 @@ def ask(node: Node, kind: type, owner: str, service: str, request: Any) -> Any:
     :raises CommandError: when there is no such node, or it does not answer.
     """
     client = node.create_client(kind, f'{owner}/{service}')
-    deadline = time.monotonic() + PATIENCE
     try:
-        while not client.service_is_ready():
-            if time.monotonic() > deadline:
-                known = owner in full_names(node, True)
-                raise CommandError('Wait for service timed out' if known else 'Node not found')
-            pause()
+        if not comes(client.service_is_ready, PATIENCE):
+            known = owner in full_names(node, True)
+            raise CommandError('Wait for service timed out' if known else 'Node not found')
         return response_of(node, client, request)
     finally:
         node.destroy_client(client)

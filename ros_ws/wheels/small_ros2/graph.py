@@ -66,6 +66,21 @@ def pause() -> None:
     heed()
 
 
+def comes(wanted: Callable[[], object], patience: float) -> bool:
+    """
+    Wait until something is there; return whether it is.
+
+    :param wanted: true when it is there.
+    :param patience: longest time to wait, s.
+    """
+    deadline = time.monotonic() + patience
+    while not wanted():
+        if time.monotonic() > deadline:
+            return False
+        pause()
+    return True
+
+
 def spin(node: Node, done: Future, patience: float = math.inf) -> None:
     """
     Serve a node until something is done.

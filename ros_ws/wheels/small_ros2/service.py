@@ -2,14 +2,11 @@
 
 import argparse
 from importlib import import_module
-import time
-
-from rclpy.client import Client
 
 from small_ros2.clients import response_of
 from small_ros2.command import CommandError
 from small_ros2.filling import filled
-from small_ros2.graph import look, node_names, pause, probe, visible
+from small_ros2.graph import comes, look, node_names, probe, visible
 
 PATIENCE = 10.0
 """Time to wait for a service that is not there yet, s; ros2cli waits for ever."""
@@ -56,23 +53,10 @@ def call(options: argparse.Namespace) -> None:
         client = node.create_client(kind, options.service_name)
         if not client.service_is_ready():
             print('waiting for service to become available...')
-            wait_for_service(client)
+            if not comes(client.service_is_ready, PATIENCE):
+                raise CommandError(f'{client.srv_name} did not appear within {PATIENCE:g} s')
         print(f'requester: making request: {request!r}\n')
         print(f'response:\n{response_of(node, client, request)!r}\n')
-
-
-def wait_for_service(client: Client) -> None:
-    """
-    Wait until somebody offers a service.
-
-    :param client: of the service.
-    :raises CommandError: when nobody does.
-    """
-    deadline = time.monotonic() + PATIENCE
-    while not client.service_is_ready():
-        if time.monotonic() > deadline:
-            raise CommandError(f'{client.srv_name} did not appear within {PATIENCE:g} s')
-        pause()
 
 
 def service_class(name: str) -> type:

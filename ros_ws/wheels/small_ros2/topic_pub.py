@@ -2,7 +2,6 @@
 
 import argparse
 from itertools import count
-import time
 
 from rclpy.duration import Duration
 from rclpy.publisher import Publisher
@@ -10,7 +9,7 @@ from rclpy.task import Future
 
 from small_ros2.command import CommandError
 from small_ros2.filling import filled
-from small_ros2.graph import pause, probe, spin
+from small_ros2.graph import comes, probe, spin
 from small_ros2.messages import message_class
 
 DEPTH = 10
@@ -81,10 +80,7 @@ def wait_for_subscriber(publisher: Publisher) -> None:
     :param publisher: of the message.
     :raises CommandError: when nobody does.
     """
-    deadline = time.monotonic() + PATIENCE
     if not publisher.get_subscription_count():
         print('Waiting for at least 1 matching subscription(s)...')
-    while not publisher.get_subscription_count():
-        if time.monotonic() > deadline:
-            raise CommandError(f'nobody listens to {publisher.topic_name}')
-        pause()
+    if not comes(publisher.get_subscription_count, PATIENCE):
+        raise CommandError(f'nobody listens to {publisher.topic_name}')
