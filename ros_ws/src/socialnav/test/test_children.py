@@ -24,6 +24,7 @@ time.sleep(120)
 
 
 def test_a_second_signal_during_the_end_leaves_no_node_behind(monkeypatch, tmp_path):
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background ignores it
     ready = tmp_path / 'ready'
     monkeypatch.setattr(children, 'PATIENCE', 0.5)
     monkeypatch.setattr(
