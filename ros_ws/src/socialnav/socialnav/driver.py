@@ -52,6 +52,7 @@ class Driver:
         locate = not_asked if settings.lockstep else self.transforms.locate
         self.controller = Controller(ready_policy(values, settings), settings, locate=locate)
         self.running = False
+        self.ahead = False
         self.lockstep = settings.lockstep
         self.node = node
         self.timer: Timer | None = None
@@ -97,13 +98,13 @@ class Driver:
         :param values: all parameters.
         """
         self.use(values)
-        self.running = True
+        self.running, self.ahead = True, False
         self.outputs.begin()
         if not self.lockstep:
             settings = self.controller.settings
             self.punctuality = Punctuality(settings.period)
             clock = pacing_clock(self.node)
-            self.timer = self.node.create_timer(settings.period, self.on_tick, clock=clock)
+            self.timer = self.node.create_timer(settings.period, self.on_timer, clock=clock)
             self.expiry = Alarm(self.node, self.on_expiry, clock)
             self.rehearsal = Rehearsal(self.node, self.timer, self.controller)
             self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
@@ -144,14 +145,21 @@ class Driver:
 
     def on_input(self, name: str, message: Any) -> None:
         """
-        Store a message; in lockstep, decide when it completes a state.
+        Store a message and decide if that is due: in lockstep, when it completes a state.
+
+        Messages that came shortly before a tick would all be served before it, so the first one
+        that finds the tick due does not leave it to the timer.
 
         :param name: its topic.
         :param message: the input.
         """
         self.controller.store(name, message)
-        if self.lockstep and self.controller.take_complete_state():
-            self.on_tick()
+        if self.lockstep:
+            if self.controller.take_complete_state():
+                self.on_state()
+        elif self.running and not self.ahead and overdue(self.timer) >= 0:
+            self.ahead = True
+            self.on_tick(overdue(self.timer))
 
     def on_unread(self, name: str, kind: type, data: bytes) -> None:
         """
@@ -176,25 +184,47 @@ class Driver:
         response.message = 'cancelled' if response.success else 'there is no goal'
         return response
 
-    def on_tick(self) -> None:
-        """Decide, unless this tick was on its way when the driver stopped."""
+    def on_state(self) -> None:
+        """Decide in lockstep."""
+        if self.running:
+            now = self.node.get_clock().now().nanoseconds
+            self.outputs.publish(self.controller.decide(now))
+
+    def on_timer(self) -> None:
+        """
+        Decide, unless a message let that be done or the driver stopped meanwhile.
+
+        rclpy's executor calls a timer twice where another one is set, or simulated time goes on,
+        between the moment when it is due and its call; that moves it on by two periods.
+        """
         if not self.running:
             return
-        now = self.node.get_clock().now().nanoseconds
-        if self.lockstep:
-            self.outputs.publish(self.controller.decide(now))
+        lateness = overdue(self.timer) + self.timer.timer_period_ns * 1e-9
+        if lateness < 0.0:
+            self.timer.reset()
             return
+        if not self.ahead:
+            self.on_tick(lateness)
+        self.ahead = False
+        if self.outputs.reason is None:  # only now: while a tick is due no alarm may be set
+            self.expiry.set(self.controller.time_left(self.node.get_clock().now().nanoseconds))
+            self.rehearsal.expect()
+
+    def on_tick(self, lateness: float) -> None:
+        """
+        Decide in real time.
+
+        :param lateness: how long ago the tick was due, s.
+        """
+        now = self.node.get_clock().now().nanoseconds
         moment = self.timer.clock.now().nanoseconds * 1e-9
-        self.punctuality.tick(time.monotonic(), lateness(self.timer), moment)
+        self.punctuality.tick(time.monotonic(), lateness, moment)
         decision = self.controller.decide(now)
         self.outputs.publish(decision)
         self.watchdog.feed()
         drives = decision.reason is None
         ages = self.controller.input_ages(now) if drives else {}  # else nobody has read them
         self.punctuality.command(self.outputs.latest_command, ages)
-        if drives:
-            self.expiry.set(self.controller.time_left(now))
-            self.rehearsal.expect()
 
     def on_expiry(self) -> None:
         """Stop the robot when an input has become too old: the next tick may be a period away."""
@@ -224,10 +254,10 @@ class Driver:
         return facts | self.punctuality.facts()
 
 
-def lateness(timer: Timer) -> float:
+def overdue(timer: Timer) -> float:
     """
-    Return how long ago a timer should have called, s.
+    Return for how long a timer has been due to call, s; negative while it is not.
 
-    :param timer: it calls now.
+    :param timer: one that calls again and again.
     """
-    return (timer.timer_period_ns - timer.time_until_next_call()) * 1e-9
+    return -timer.time_until_next_call() * 1e-9
