@@ -1,0 +1,33 @@
+"""Laws of what ships: a change of the code does not change what a trained model does."""
+
+import numpy as np
+import pytest
+
+from socialnav_core.policies import load_policy
+from tests.policies.shipped_actions import FIELDS, SCENARIOS, state_of, STORED, VARIANTS
+
+NEARLY_EQUAL = 1e-5  # values of two actions; processors differ in the last digits
+ARRAYS = dict(np.load(STORED))
+MODELS = sorted({name.split('/')[2] for name in ARRAYS if '/plain/' in name})
+
+
+def stored_state(scenario):
+    return state_of({name: ARRAYS[f'{scenario}/state/{name}'] for name in FIELDS})
+
+
+@pytest.mark.parametrize('variant', VARIANTS)
+@pytest.mark.parametrize('scenario', SCENARIOS)
+@pytest.mark.parametrize('model', MODELS)
+def test_a_shipped_model_chooses_the_stored_actions(model, scenario, variant):
+    stored = ARRAYS[f'{scenario}/{variant}/{model}']
+    decision = load_policy(model, **VARIANTS[variant]).decide(stored_state(scenario))
+    worlds = np.arange(len(stored))
+    assert len(stored) == len(decision.action)
+    assert (decision.values[worlds, stored] >= decision.maximum() - NEARLY_EQUAL).all()
+    assert (decision.action == stored).mean() >= 0.95
+
+
+@pytest.mark.parametrize('scenario', SCENARIOS)
+def test_orca_gives_the_stored_commands(scenario):
+    commands = load_policy('orca').act(stored_state(scenario))
+    np.testing.assert_allclose(commands, ARRAYS[f'{scenario}/orca'], atol=1e-9)
