@@ -38,7 +38,7 @@ bench: setup  ## speed, as ratios against a plain reference in the same run
 	.venv/bin/socialnav benchmark all
 
 train: setup  ## train the default model from its config
-	.venv/bin/socialnav train socialnav_core/configs/sarl.yaml --out out/sarl
+	.venv/bin/socialnav train socialnav_core/config/recipes/sarl.yaml --out out/sarl
 
 docs: setup  ## regenerate the model cards from their metrics
 	.venv/bin/socialnav models --cards

@@ -54,7 +54,7 @@ case $ROOT in *' '*) fail "ROS 2 does not build in a folder with a space in its 
 exec 9<. && flock 9 # one set-up at a time
 
 # The stamp comes last and goes first: without one, what is in .venv may be half of something.
-inputs=(requirements/*.txt setup.py scripts/setup.sh ros_ws/wheels/install_setup_files.py)
+inputs=(requirements/*.txt setup.py studies/*/setup.py scripts/setup.sh ros_ws/wheels/install_setup_files.py)
 stamp=.venv/.setup-$({ cat "${inputs[@]}" && echo "$ROUTE $ROOT"; } | sha256sum | cut -c1-16)
 if [ -e "$stamp" ] && .venv/bin/python -c '' 2>/dev/null; then exit; fi
 
@@ -93,5 +93,5 @@ if [ "$ROUTE" = ros ]; then # the same file to source; CMake takes the same Pyth
 else
     .venv/bin/python ros_ws/wheels/install_setup_files.py .venv
 fi
-pip --no-deps --no-build-isolation -e .
+pip --no-deps --no-build-isolation -e . -e studies/founding_report
 touch "$stamp"

@@ -11,7 +11,7 @@ check() { # name, command ...
 }
 
 check lint make --no-print-directory lint
-check core .venv/bin/python -m pytest tests "$@"
+check core .venv/bin/python -m pytest tests studies "$@"
 check build scripts/build.sh
 source scripts/environment.bash
 check ros2 .venv/bin/python -m pytest ros_ws/wheels/test "$@"

@@ -1,25 +1,20 @@
 """The `socialnav` command."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from importlib.metadata import entry_points
 import os
 import sys
+from typing import Any
 
-from socialnav_core.commands import (
-    benchmark,
-    compare,
-    evaluate,
-    models,
-    render,
-    reproduce,
-    scenarios,
-    train,
-)
-from socialnav_core.commands.arguments import Parser
+from socialnav_core.commands import benchmark, compare, evaluate, models, render, scenarios, train
+from socialnav_core.commands.arguments import CommandFailure, Parser
 from socialnav_core.config import ConfigError
 
-COMMANDS = (train, evaluate, compare, reproduce, render, benchmark, models, scenarios)
+COMMANDS = (train, evaluate, compare, render, benchmark, models, scenarios)
 """Modules with `add_parser`, which names the function that runs the command."""
+OTHERS = 'socialnav.commands'
+"""Entry points of other packages: each the name of a module like those of COMMANDS."""
 
 FAILURE, USAGE, INTERRUPTED = 1, 2, 130
 
@@ -54,18 +49,23 @@ def build_parser() -> argparse.ArgumentParser:
         epilog='`socialnav COMMAND --help` shows the options of a command and examples.',
     )
     commands = parser.add_subparsers(metavar='COMMAND', required=True)
-    for module in COMMANDS:
+    for module in (*COMMANDS, *other_commands()):
         module.add_parser(commands)
     return parser
+
+
+def other_commands() -> Iterator[Any]:
+    """Yield the modules of commands that other installed packages add, by the commands' names."""
+    for point in sorted(entry_points(group=OTHERS), key=lambda point: point.name):
+        yield point.load()
 
 
 def expected_failures() -> tuple[type[Exception], ...]:
     """Return the errors that are told in one line; others are defects and keep their traceback."""
     from socialnav_core.policies import CheckpointError
-    from socialnav_core.reproduction.jobs import JobError
     from socialnav_core.training import TrainingInterrupted
 
-    return (CheckpointError, JobError, TrainingInterrupted, OSError)
+    return (CheckpointError, CommandFailure, TrainingInterrupted, OSError)
 
 
 def complain(given: argparse.Namespace, error: object, code: int) -> int:

@@ -43,11 +43,10 @@ def cache_folder() -> Path:
 
 
 def sources_digest() -> str:
-    """Return the digest of all files that hold kernels."""
+    """Return the digest of all files of the package that hold kernels."""
     digest = hashlib.sha256()
-    for folder in ('simulation', 'policies'):
-        for path in sorted((PACKAGE / folder).glob('*.py')):
-            text = path.read_bytes()
-            if b'@compiled' in text:
-                digest.update(path.name.encode() + text)
+    for path in sorted(PACKAGE.rglob('*.py')):
+        text = path.read_bytes()
+        if b'@compiled' in text:
+            digest.update(path.relative_to(PACKAGE).as_posix().encode() + text)
     return digest.hexdigest()[:16]

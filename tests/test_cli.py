@@ -14,7 +14,7 @@ from socialnav_core.commands import arguments
 from socialnav_core.commands.models import headline
 from socialnav_core.config import Config, PolicyConfig
 from socialnav_core.policies import build_network
-from socialnav_core.policies.checkpoint import save_weights
+from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario
 from socialnav_core.simulation.random_streams import SPLITS
 

@@ -13,7 +13,7 @@ from socialnav_core import compilation
 def package(tmp_path, monkeypatch):
     """Return a package with one kernel, forgotten afterwards."""
     for folder in ('simulation', 'policies'):
-        (tmp_path / folder).mkdir()
+        (tmp_path / folder / 'inner').mkdir(parents=True)
     (tmp_path / 'simulation' / 'kernel.py').write_text('@compiled\ndef one(): return 1\n')
     monkeypatch.setattr(compilation, 'PACKAGE', tmp_path)
     monkeypatch.delenv('NUMBA_CACHE_DIR', raising=False)
@@ -24,7 +24,9 @@ def package(tmp_path, monkeypatch):
 
 def test_a_change_of_any_kernel_makes_another_cache(package):
     before = compilation.sources_digest()
-    (package / 'policies' / 'caller.py').write_text('@compiled\ndef two(): return one() + 1\n')
+    (package / 'policies' / 'inner' / 'caller.py').write_text(
+        '@compiled\ndef two(): return one() + 1\n'
+    )
     between = compilation.sources_digest()
     (package / 'simulation' / 'kernel.py').write_text('@compiled\ndef one(): return 2\n')
     assert len({before, between, compilation.sources_digest()}) == 3

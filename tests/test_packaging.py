@@ -61,9 +61,13 @@ def test_colcon_installs_the_core_with_its_configurations(tmp_path, options):
     install = colcon_build(root, *options, '--packages-select socialnav_core')
     place = place_of_the_core(install)
     assert place.is_relative_to(root if options else install)
-    configurations = {path.name for path in (ROOT / 'socialnav_core' / 'configs').glob('*.yaml')}
-    assert {path.name for path in (place.parent / 'configs').glob('*.yaml')} == configurations
-    assert (place.parent / 'evaluation' / 'ros2msg.txt').is_file()
+    configurations = {
+        path.name for path in (ROOT / 'socialnav_core' / 'config' / 'recipes').glob('*.yaml')
+    }
+    assert {
+        path.name for path in (place.parent / 'config' / 'recipes').glob('*.yaml')
+    } == configurations
+    assert (place.parent / 'viewing' / 'ros2msg.txt').is_file()
     assert 'usage: socialnav' in run(install / 'socialnav_core/bin/socialnav', '-h', folder=root)
 
 

@@ -73,7 +73,9 @@ def test_a_machine_without_wheels_is_told_in_one_line_what_to_use(tmp_path, opti
 def test_without_permission_to_install_the_line_to_type_is_printed(tmp_path):
     for folder in ('requirements', 'scripts'):
         shutil.copytree(ROOT / folder, tmp_path / folder)
-    for name in ('setup.py', 'ros_ws/wheels/install_setup_files.py'):
+    for name in (
+        'setup.py', 'studies/founding_report/setup.py', 'ros_ws/wheels/install_setup_files.py',
+    ):  # fmt: skip
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
     tools = tmp_path / 'tools'

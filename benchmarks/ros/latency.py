@@ -15,7 +15,7 @@ import os
 
 from rig import conditions, KINDS, Rig, usage
 
-from socialnav.children import running_nodes
+from socialnav.demo.children import running_nodes
 from socialnav.parameters import DEFAULT_MODEL
 
 AGENTS = (5, 10, 30)

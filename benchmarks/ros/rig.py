@@ -12,8 +12,8 @@ import rclpy
 from rclpy.executors import SingleThreadedExecutor
 
 from socialnav import qos
-from socialnav.conversions import agents_message, goal_message, odometry_message
-from socialnav.isolation import isolated_environment
+from socialnav.demo.isolation import isolated_environment
+from socialnav.messages.conversions import agents_message, goal_message, odometry_message
 from socialnav_core.config import Scenario
 from socialnav_core.simulation import Simulator
 from socialnav_core.states import CrowdState

@@ -14,7 +14,7 @@ import time
 from latency import AGE, DELAY, TELLING
 from rig import conditions, memory, Rig
 
-from socialnav.children import running_nodes
+from socialnav.demo.children import running_nodes
 from socialnav.parameters import DEFAULT_MODEL
 
 AGENTS = 30

@@ -25,7 +25,7 @@ import time
 import numpy as np
 from rig import conditions, KINDS, Rig
 
-from socialnav.children import Nodes, running_nodes
+from socialnav.demo.children import Nodes, running_nodes
 
 INPUT_TIMEOUT, PERIOD = 0.5, 0.1
 LIMIT = INPUT_TIMEOUT + PERIOD

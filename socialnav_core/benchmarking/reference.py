@@ -4,7 +4,7 @@ import importlib.util
 from pathlib import Path
 from types import ModuleType
 
-REFERENCE = Path(__file__).parents[2] / 'benchmarks' / 'reference.py'
+REFERENCE = Path(__file__).parents[2] / 'benchmarks' / 'core' / 'reference.py'
 
 
 def load_reference() -> ModuleType | str:

@@ -5,8 +5,7 @@ import resource
 import time
 
 from socialnav_core.benchmarking.measurement import Measurement
-from socialnav_core.config import Config
-from socialnav_core.training import read_config
+from socialnav_core.config import Config, read_config
 from socialnav_core.training.run import Run
 from socialnav_core.training.value_learning import begin, iterate
 

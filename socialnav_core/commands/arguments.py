@@ -11,6 +11,10 @@ from socialnav_core.config import LOOKAHEADS
 SPLITS = ('train', 'validation', 'test')
 
 
+class CommandFailure(RuntimeError):
+    """What kept a command from its end; told in one line."""
+
+
 class Parser(argparse.ArgumentParser):
     """A parser that reports a mistake in one line."""
 

@@ -4,7 +4,7 @@ import argparse
 from typing import Any
 
 from socialnav_core.config import ConfigError, Scenario
-from socialnav_core.settings import parse_assignments, replace
+from socialnav_core.config.mapping import parse_assignments, replace
 
 BASELINES = ('orca', 'straight_line')
 """Policies without a network."""

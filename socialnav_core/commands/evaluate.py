@@ -14,7 +14,7 @@ from socialnav_core.commands.arguments import (
 from socialnav_core.commands.choices import BASELINES, chosen_scenario, open_policy
 from socialnav_core.commands.files import require_new, write_json
 from socialnav_core.config import ConfigError, Scenario
-from socialnav_core.settings import parse_assignments
+from socialnav_core.config.mapping import parse_assignments
 
 EXAMPLES = """orca --scenario hard --safety-space 0.15
 sarl --scenario crowd20 --episodes 5000 --json out/crowd20.json
@@ -100,7 +100,7 @@ def described(result: Any, given: argparse.Namespace) -> dict[str, Any]:
     :param result: of evaluate.
     :param given: parsed arguments.
     """
-    from socialnav_core.policies.orca_policy import SAFETY_SPACE
+    from socialnav_core.policies.orca import SAFETY_SPACE
 
     values = result.to_mapping()
     cases = values.pop('cases')
@@ -131,7 +131,7 @@ def require_no_better_card(policy: Any, scenario: Scenario, given: argparse.Name
     :param scenario: the world.
     :param given: parsed arguments.
     """
-    from socialnav_core.policies.base import find_model
+    from socialnav_core.policies.loading import find_model
     from socialnav_core.training.model_card import require_no_better
 
     planned = {
@@ -149,7 +149,7 @@ def update_card(model: str, values: dict[str, Any]) -> None:
     :param model: a folder, or a name in models/.
     :param values: the result.
     """
-    from socialnav_core.policies.base import find_model
+    from socialnav_core.policies.loading import find_model
     from socialnav_core.training import add_result, write_model_card
 
     folder = find_model(model)

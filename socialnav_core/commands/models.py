@@ -40,8 +40,8 @@ def run(given: argparse.Namespace) -> None:
     :param given: parsed arguments.
     """
     from socialnav_core.evaluation.report import table
-    from socialnav_core.policies.base import MODELS
-    from socialnav_core.policies.checkpoint import WEIGHTS
+    from socialnav_core.policies.loading import MODELS
+    from socialnav_core.policies.value.checkpoint import WEIGHTS
 
     parent = given.folder or MODELS
     if not parent.is_dir():
@@ -72,7 +72,7 @@ def row(folder: Path) -> tuple[str, ...]:
 
     :param folder: of the checkpoint.
     """
-    from socialnav_core.policies.checkpoint import (
+    from socialnav_core.policies.value.checkpoint import (
         checkpoint_digest,
         CheckpointError,
         load_checkpoint,

@@ -58,8 +58,8 @@ def run(given: argparse.Namespace) -> None:
 
     :param given: parsed arguments.
     """
-    from socialnav_core.evaluation import record
-    from socialnav_core.evaluation.recording import summary
+    from socialnav_core.viewing import record
+    from socialnav_core.viewing.recording import summary
 
     name = Path(given.model).name
     paths = [path for path in (picture_path(given, name), given.bag) if path is not None]
@@ -96,7 +96,7 @@ def require_format(path: Path, formats: tuple[str, ...]) -> None:
     if path.suffix not in formats:
         raise ConfigError(f'{path} must end in {" or ".join(formats)}')
     if path.suffix == '.mp4':
-        from socialnav_core.evaluation.animation import require_ffmpeg
+        from socialnav_core.viewing.animation import require_ffmpeg
 
         require_ffmpeg()
 
@@ -108,7 +108,7 @@ def write(recording: Any, path: Path) -> None:
     :param recording: the episode.
     :param path: of the file, whose folder is made if needed.
     """
-    from socialnav_core.policies.checkpoint import written_whole
+    from socialnav_core.policies.value.checkpoint import written_whole
 
     writer = writer_of(path.suffix)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -123,10 +123,10 @@ def writer_of(suffix: str) -> Callable[[Any, Path], None]:
     :param suffix: of the file.
     """
     if suffix == '.mcap':
-        from socialnav_core.evaluation.bag import write_bag
+        from socialnav_core.viewing.bag import write_bag
 
         return write_bag
-    from socialnav_core.evaluation.animation import write_gif, write_mp4
-    from socialnav_core.evaluation.plots import plot_recording
+    from socialnav_core.viewing.animation import write_gif, write_mp4
+    from socialnav_core.viewing.plots import plot_recording
 
     return {'.gif': write_gif, '.mp4': write_mp4, '.png': plot_recording}[suffix]

@@ -33,8 +33,8 @@ def run(given: argparse.Namespace) -> None:
 
     :param given: parsed arguments.
     """
+    from socialnav_core.config.mapping import to_yaml
     from socialnav_core.evaluation.report import table
-    from socialnav_core.settings import to_yaml
     from socialnav_core.simulation import make_scenario, SCENARIOS
 
     if given.scenario is not None:

@@ -14,7 +14,7 @@ from socialnav_core.commands.arguments import (
     whole_number,
 )
 from socialnav_core.commands.choices import use_threads
-from socialnav_core.settings import parse_assignments
+from socialnav_core.config.mapping import parse_assignments
 
 EXAMPLES = """quick
 sarl --out out/sarl --seed 1
@@ -52,7 +52,8 @@ def run(given: argparse.Namespace) -> None:
     :param given: parsed arguments.
     """
     use_threads(given)
-    from socialnav_core.training import read_config, train
+    from socialnav_core.config import read_config
+    from socialnav_core.training import train
 
     assignments = parse_assignments(given.assignments)
     if given.seed is not None:

@@ -1,7 +1,6 @@
-"""Measuring policies on given cases, and pictures of what they do."""
+"""Measuring policies on given cases, and comparing them."""
 
 from socialnav_core.evaluation.comparison import compare, Comparison
-from socialnav_core.evaluation.evaluate import evaluate, EvaluationResult
-from socialnav_core.evaluation.recording import record, Recording
+from socialnav_core.evaluation.run import evaluate, EvaluationResult
 
-__all__ = ['Comparison', 'EvaluationResult', 'Recording', 'compare', 'evaluate', 'record']
+__all__ = ['Comparison', 'EvaluationResult', 'compare', 'evaluate']

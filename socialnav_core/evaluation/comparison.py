@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from socialnav_core.config import ConfigError
-from socialnav_core.evaluation.evaluate import EvaluationResult
+from socialnav_core.evaluation.run import EvaluationResult
 from socialnav_core.evaluation.statistics import (
     Estimate,
     holm,

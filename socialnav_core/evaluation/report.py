@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from socialnav_core.evaluation.comparison import Comparison
-from socialnav_core.evaluation.evaluate import EvaluationResult
+from socialnav_core.evaluation.run import EvaluationResult
 from socialnav_core.evaluation.statistics import Estimate, wilson_interval
 
 NOTHING = '-'

@@ -1,12 +1,14 @@
 """Policies: baselines, value networks and the look-ahead that drives by them."""
 
-from socialnav_core.policies.base import load_policy, Policy
-from socialnav_core.policies.checkpoint import build_network, CheckpointError
-from socialnav_core.policies.gat4sn import Gat4snValueNetwork
-from socialnav_core.policies.lookahead import ValuePolicy
-from socialnav_core.policies.orca_policy import OrcaPolicy
-from socialnav_core.policies.sarl import SarlValueNetwork
+from socialnav_core.policies.loading import load_policy
+from socialnav_core.policies.orca import OrcaPolicy
+from socialnav_core.policies.protocol import Policy
 from socialnav_core.policies.straight_line import StraightLinePolicy
+from socialnav_core.policies.value.checkpoint import build_network, CheckpointError
+from socialnav_core.policies.value.gat4sn import Gat4snValueNetwork
+from socialnav_core.policies.value.lookahead import ValuePolicy
+from socialnav_core.policies.value.observation import observe
+from socialnav_core.policies.value.sarl import SarlValueNetwork
 
 __all__ = [
     'CheckpointError',
@@ -18,4 +20,5 @@ __all__ = [
     'ValuePolicy',
     'build_network',
     'load_policy',
+    'observe',
 ]

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from socialnav_core.config import ConfigError, require, require_choice, Scenario
-from socialnav_core.simulation.episodes import Episodes
+from socialnav_core.simulation.cases import Episodes
+from socialnav_core.simulation.crowds.pedestrians import decide_velocities, renew_goals
 from socialnav_core.simulation.kinematics import move_robot
 from socialnav_core.simulation.motion import move_worlds, TIME_TOLERANCE
-from socialnav_core.simulation.pedestrians import decide_velocities, renew_goals
 from socialnav_core.simulation.rewards import Outcome, reward_settings, step_outcomes
 from socialnav_core.states import CrowdState
 

@@ -5,8 +5,8 @@ import dataclasses
 import numpy as np
 
 from socialnav_core.config import CurriculumConfig, Scenario
+from socialnav_core.config.scenarios import with_obstacle_radius
 from socialnav_core.simulation import Simulator
-from socialnav_core.simulation.scenarios import with_obstacle_radius
 from socialnav_core.training.episodes import EpisodeWindow
 from socialnav_core.training.randomness import generator, Purpose
 

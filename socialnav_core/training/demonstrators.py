@@ -4,9 +4,9 @@ import dataclasses
 
 import numpy as np
 
+from socialnav_core.config.training import ImitationConfig
 from socialnav_core.policies import OrcaPolicy, Policy
 from socialnav_core.states import CrowdState
-from socialnav_core.training_config import ImitationConfig
 
 
 class StaleRadii:

@@ -3,10 +3,10 @@
 from pathlib import Path
 
 from socialnav_core.config import ConfigError
-from socialnav_core.policies.checkpoint import CONFIG, WEIGHTS
-from socialnav_core.training.checkpoint import STATE_NAME
+from socialnav_core.policies.value.checkpoint import CONFIG, WEIGHTS
 from socialnav_core.training.model_card import CARD_NAME, METRICS_NAME
 from socialnav_core.training.progress import CSV_NAME
+from socialnav_core.training.resume import STATE_NAME
 
 RUN_FILES = (STATE_NAME, CSV_NAME, WEIGHTS, CONFIG, METRICS_NAME, CARD_NAME)
 MARKS = (STATE_NAME, CSV_NAME, WEIGHTS)

@@ -8,7 +8,8 @@ from torch import nn
 
 from socialnav_core.config import require, TrainingConfig
 from socialnav_core.policies import Policy
-from socialnav_core.simulation import observe, Outcome, Simulator
+from socialnav_core.policies.value.observation import observe
+from socialnav_core.simulation import Outcome, Simulator
 from socialnav_core.states import Observation
 from socialnav_core.training.optimizers import make_optimizer
 from socialnav_core.training.regression import regress

@@ -6,7 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from socialnav_core.config import Config, ConfigError, TrainingConfig
-from socialnav_core.policies.checkpoint import atomic_write, checkpoint_digest, load_checkpoint
+from socialnav_core.policies.value.checkpoint import (
+    atomic_write,
+    checkpoint_digest,
+    load_checkpoint,
+)
 from socialnav_core.training.progress import CSV_NAME
 
 METRICS_NAME = 'metrics.json'

@@ -3,7 +3,7 @@
 import torch
 from torch import nn
 
-from socialnav_core.policies.inference import device_of
+from socialnav_core.policies.value.inference import device_of
 
 
 def regress(

@@ -4,9 +4,10 @@ import dataclasses
 
 import numpy as np
 
-from socialnav_core.policies.inference import ValueInference
-from socialnav_core.policies.lookahead import Decision, ValuePolicy
-from socialnav_core.simulation import observe, Simulator
+from socialnav_core.policies.value.inference import ValueInference
+from socialnav_core.policies.value.lookahead import Decision, ValuePolicy
+from socialnav_core.policies.value.observation import observe
+from socialnav_core.simulation import Simulator
 from socialnav_core.states import CrowdState, Observation
 from socialnav_core.training.targets import one_step_targets, q_lambda_targets
 

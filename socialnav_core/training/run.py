@@ -7,22 +7,22 @@ import numpy as np
 import torch
 
 from socialnav_core.config import Config, PolicyConfig, ScreeningConfig
-from socialnav_core.policies.inference import ValueInference
-from socialnav_core.policies.lookahead import Decision, ValuePolicy
+from socialnav_core.policies.value.inference import ValueInference
+from socialnav_core.policies.value.lookahead import Decision, ValuePolicy
 from socialnav_core.simulation import Simulator
-from socialnav_core.training.checkpoint import (
-    Arrays,
-    network_arrays,
-    optimizer_arrays,
-    restore_network,
-    restore_optimizer,
-)
 from socialnav_core.training.constant_features import without_constant_features
 from socialnav_core.training.curriculum import Curriculum
 from socialnav_core.training.episodes import EpisodeWindow
 from socialnav_core.training.optimizers import make_optimizer
 from socialnav_core.training.randomness import initial_network
 from socialnav_core.training.replay_buffer import ReplayBuffer
+from socialnav_core.training.resume import (
+    Arrays,
+    network_arrays,
+    optimizer_arrays,
+    restore_network,
+    restore_optimizer,
+)
 from socialnav_core.training.rollout import Rollout
 from socialnav_core.training.unfinished import UnfinishedEpisodes
 

@@ -13,9 +13,8 @@ import numpy as np
 from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config import Config, Scenario
 from socialnav_core.policies import Policy
-from socialnav_core.policies.checkpoint import save_weights
-from socialnav_core.policies.lookahead import ValuePolicy
-from socialnav_core.training.checkpoint import load_state, save_state
+from socialnav_core.policies.value.checkpoint import save_weights
+from socialnav_core.policies.value.lookahead import ValuePolicy
 from socialnav_core.training.demonstrators import make_demonstrator
 from socialnav_core.training.folder import finish_folder, prepare_folder, UNFOLDED
 from socialnav_core.training.imitation import collect_demonstrations, imitate
@@ -25,6 +24,7 @@ from socialnav_core.training.precision import with_available_precision
 from socialnav_core.training.progress import Progress
 from socialnav_core.training.randomness import generator, Purpose
 from socialnav_core.training.regression import regress
+from socialnav_core.training.resume import load_state, save_state
 from socialnav_core.training.rollout import collect, Rollout
 from socialnav_core.training.run import Run
 from socialnav_core.training.schedules import epsilon, learning_rate

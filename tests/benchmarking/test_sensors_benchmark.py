@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from benchmarks.sensors import changed, Perception, row, run, Settings
+from benchmarks.core.sensors import changed, Perception, row, run, Settings
 from socialnav_core.simulation import make_scenario, Outcome, Simulator
 
 CASES = SimpleNamespace(model='orca', scenario='simple', episodes=2, seed=3, split='validation')

@@ -3,7 +3,7 @@
 import pytest
 import torch
 
-from socialnav_core.training.configuration import read_config
+from socialnav_core.config.reading import read_config
 
 torch.set_num_threads(1)  # more make small networks slower, and other weights
 

@@ -5,10 +5,10 @@ import dataclasses
 import numpy as np
 import pytest
 
+from socialnav_core.config.training import ImitationConfig
 from socialnav_core.policies import OrcaPolicy
 from socialnav_core.simulation import make_scenario, Simulator
 from socialnav_core.training.demonstrators import make_demonstrator, StaleRadii
-from socialnav_core.training_config import ImitationConfig
 
 
 @pytest.fixture

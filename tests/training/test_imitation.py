@@ -5,8 +5,8 @@ import dataclasses
 import numpy as np
 import pytest
 
-from socialnav_core.policies import OrcaPolicy
-from socialnav_core.simulation import make_scenario, observe, Outcome, Simulator
+from socialnav_core.policies import observe, OrcaPolicy
+from socialnav_core.simulation import make_scenario, Outcome, Simulator
 from socialnav_core.training.imitation import collect_demonstrations, imitate
 from socialnav_core.training.randomness import generator, initial_network, Purpose
 

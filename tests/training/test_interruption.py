@@ -9,14 +9,15 @@ import time
 
 import pytest
 
-from socialnav_core.policies.checkpoint import checkpoint_digest
-from socialnav_core.settings import to_yaml
+from socialnav_core.config.mapping import to_yaml
+from socialnav_core.policies.value.checkpoint import checkpoint_digest
 from socialnav_core.training import train
 
 SCRIPT = """
 import sys
 from pathlib import Path
-from socialnav_core.training import TrainingInterrupted, read_config, train
+from socialnav_core.config import read_config
+from socialnav_core.training import TrainingInterrupted, train
 try:
     train(read_config(sys.argv[1]), Path(sys.argv[2]), progress=False)
 except TrainingInterrupted as stop:

@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from socialnav_core.policies.checkpoint import checkpoint_digest, save_weights
+from socialnav_core.policies.value.checkpoint import checkpoint_digest, save_weights
 from socialnav_core.training.model_card import add_result, write_model_card
 from socialnav_core.training.randomness import initial_network
 

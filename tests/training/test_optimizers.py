@@ -6,8 +6,8 @@ import pytest
 import torch
 
 from socialnav_core.config import ConfigError, TrainingConfig
-from socialnav_core.training.checkpoint import optimizer_arrays, restore_optimizer
 from socialnav_core.training.optimizers import make_optimizer
+from socialnav_core.training.resume import optimizer_arrays, restore_optimizer
 
 
 def descend(network, optimizer, steps=3):

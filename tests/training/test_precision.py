@@ -2,8 +2,8 @@
 
 import pytest
 
+from socialnav_core.config.reading import read_config
 from socialnav_core.training import precision
-from socialnav_core.training.configuration import read_config
 
 
 @pytest.mark.parametrize('wished', [True, False])

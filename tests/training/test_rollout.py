@@ -5,10 +5,10 @@ import dataclasses
 import numpy as np
 import pytest
 
-from socialnav_core.policies import ValuePolicy
-from socialnav_core.policies.inference import ValueInference
-from socialnav_core.policies.lookahead import Decision
-from socialnav_core.simulation import make_scenario, observe, Simulator
+from socialnav_core.policies import observe, ValuePolicy
+from socialnav_core.policies.value.inference import ValueInference
+from socialnav_core.policies.value.lookahead import Decision
+from socialnav_core.simulation import make_scenario, Simulator
 from socialnav_core.training.randomness import initial_network
 from socialnav_core.training.rollout import collect, explore, value_at_cut
 

@@ -9,9 +9,9 @@ import pytest
 import torch
 
 from socialnav_core.config import ConfigError
+from socialnav_core.config.mapping import to_mapping
 from socialnav_core.policies import load_policy
-from socialnav_core.policies.checkpoint import checkpoint_digest, CheckpointError
-from socialnav_core.settings import to_mapping
+from socialnav_core.policies.value.checkpoint import checkpoint_digest, CheckpointError
 from socialnav_core.simulation import make_scenario, Simulator
 from socialnav_core.training import train, value_learning
 from socialnav_core.training.progress import COLUMNS
@@ -157,7 +157,7 @@ def test_state_that_lacks_newer_settings_had_their_defaults(tiny_config, tmp_pat
         return values
 
     with monkeypatch.context() as patch:
-        patch.setattr('socialnav_core.training.checkpoint.to_mapping', without_newer)
+        patch.setattr('socialnav_core.training.resume.to_mapping', without_newer)
         interrupted(monkeypatch, tiny_config, tmp_path / 'run', 1)
     train(tiny_config, tmp_path / 'run', resume=True, progress=False)
 
@@ -218,7 +218,7 @@ def test_failing_write_keeps_the_state_that_was_saved_last(tiny_config, tmp_path
         raise OSError(28, 'No space left on device')
 
     with monkeypatch.context() as patch:
-        patch.setattr('socialnav_core.training.checkpoint.atomic_write', full_disk)
+        patch.setattr('socialnav_core.training.resume.atomic_write', full_disk)
         with pytest.raises(CheckpointError, match='No space left on device'):
             train(tiny_config, tmp_path / 'run', resume=True, progress=False)
     assert (tmp_path / 'run' / 'training_state.safetensors').read_bytes() == saved

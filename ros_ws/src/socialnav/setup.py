@@ -3,7 +3,7 @@
 from glob import glob
 import os
 
-from setuptools import setup
+from setuptools import find_packages, setup
 
 PACKAGE = 'socialnav'
 MODELS = os.path.join('..', '..', '..', 'models')
@@ -22,7 +22,7 @@ def model_files():
 setup(
     name=PACKAGE,
     version='0.1.0',
-    packages=[PACKAGE],
+    packages=find_packages(include=[PACKAGE, f'{PACKAGE}.*']),
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),

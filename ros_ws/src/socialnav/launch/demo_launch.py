@@ -14,7 +14,7 @@ from launch.actions import (
 )
 from launch_ros.actions import Node
 
-from socialnav.isolation import isolated_environment
+from socialnav.demo.isolation import isolated_environment
 from socialnav.parameters import DEFAULT_MODEL
 
 ARGUMENTS = (

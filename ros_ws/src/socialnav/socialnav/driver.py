@@ -14,21 +14,21 @@ from rclpy.timer import Timer
 from std_srvs.srv import Trigger
 
 from socialnav import qos
-from socialnav.alarm import Alarm
-from socialnav.clocks import pacing_clock
-from socialnav.controller import Controller
-from socialnav.controller_settings import controller_settings
-from socialnav.diagnostics import controller_facts
-from socialnav.frames import not_asked
-from socialnav.inputs import AGEING
-from socialnav.models import ready_policy
+from socialnav.control.controller import Controller
+from socialnav.control.diagnostics import controller_facts
+from socialnav.control.inputs import AGEING
+from socialnav.control.models import ready_policy
+from socialnav.control.settings import controller_settings
+from socialnav.messages.frames import not_asked
+from socialnav.messages.transforms import Transforms
+from socialnav.messages.unread import Unread
 from socialnav.parameters import fixed_values, POLICY_PARAMETERS
 from socialnav.policy_outputs import PolicyOutputs
-from socialnav.punctuality import Punctuality
-from socialnav.rehearsal import Rehearsal
-from socialnav.transforms import Transforms
-from socialnav.unread import Unread
-from socialnav.watchdog import Watchdog
+from socialnav.realtime.alarm import Alarm
+from socialnav.realtime.clocks import pacing_clock
+from socialnav.realtime.punctuality import Punctuality
+from socialnav.realtime.rehearsal import Rehearsal
+from socialnav.realtime.watchdog import Watchdog
 from socialnav_msgs.msg import AgentStates
 
 

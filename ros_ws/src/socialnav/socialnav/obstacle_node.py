@@ -10,12 +10,12 @@ from rclpy.node import Node
 from sensor_msgs.msg import LaserScan
 
 from socialnav import qos
-from socialnav.clocks import pacing_clock
-from socialnav.conversions import ConversionError
-from socialnav.obstacle_finder import ObstacleFinder
+from socialnav.messages.conversions import ConversionError
 from socialnav.parameters import declare
+from socialnav.perception.obstacle_finder import ObstacleFinder
+from socialnav.perception.sensor_parameters import OBSTACLE_PARAMETERS
+from socialnav.realtime.clocks import pacing_clock
 from socialnav.running import run
-from socialnav.sensor_parameters import OBSTACLE_PARAMETERS
 from socialnav_msgs.msg import AgentStates
 
 

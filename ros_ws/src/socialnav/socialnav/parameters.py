@@ -14,7 +14,7 @@ from rcl_interfaces.msg import (
 from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException
 from rclpy.node import Node
 
-from socialnav_core.settings import unknown_key
+from socialnav_core.config.mapping import unknown_key
 
 DEFAULT_MODEL = 'gat4sn'
 

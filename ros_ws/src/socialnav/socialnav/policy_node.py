@@ -7,10 +7,10 @@ from rclpy.clock import Clock, ClockType
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 
 from socialnav import qos
-from socialnav.diagnostics import diagnostics_message
+from socialnav.control.diagnostics import diagnostics_message
 from socialnav.driver import Driver
-from socialnav.memory import set_aside
 from socialnav.parameters import declare, fixed_values, POLICY_PARAMETERS
+from socialnav.realtime.memory import set_aside
 from socialnav.running import run
 
 SUCCESS, FAILURE = TransitionCallbackReturn.SUCCESS, TransitionCallbackReturn.FAILURE

@@ -13,11 +13,11 @@ from std_msgs.msg import Bool
 from visualization_msgs.msg import MarkerArray
 
 from socialnav import qos
-from socialnav.commands import stamped_twist_message, twist_message
-from socialnav.controller import Controller, Decision, NO_COMMAND
-from socialnav.intentions import attention_markers, predicted_path
-from socialnav.plan import FOLLOWED, NO_PLAN
-from socialnav.reasons import ARRIVED, UNDECIDED
+from socialnav.control.controller import Controller, Decision, NO_COMMAND
+from socialnav.control.plan import FOLLOWED, NO_PLAN
+from socialnav.control.reasons import ARRIVED, UNDECIDED
+from socialnav.messages.commands import stamped_twist_message, twist_message
+from socialnav.messages.intentions import attention_markers, predicted_path
 
 LAST_WORD = Duration(nanoseconds=500_000_000)
 """How long it is waited at the end for the last command to arrive."""

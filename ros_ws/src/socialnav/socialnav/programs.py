@@ -14,7 +14,7 @@ INTERRUPTED = 130
 
 def demo() -> None:
     """Run the demo."""
-    start('demo', INTERRUPTED)
+    start('demo.run', INTERRUPTED)
 
 
 def obstacle_node() -> None:

@@ -14,18 +14,18 @@ from std_srvs.srv import SetBool
 from visualization_msgs.msg import MarkerArray
 
 from socialnav import qos
-from socialnav.commands import command_array
-from socialnav.conversions import ConversionError, goal_array
-from socialnav.markers import world_markers
-from socialnav.occupancy import map_message
+from socialnav.messages.commands import command_array
+from socialnav.messages.conversions import ConversionError, goal_array
+from socialnav.messages.markers import world_markers
+from socialnav.messages.occupancy import map_message
+from socialnav.messages.stamps import nanoseconds_of, time_message
 from socialnav.parameters import declare, SIMULATOR_PARAMETERS
 from socialnav.running import run
-from socialnav.simulated_sensors import SimulatedSensors
-from socialnav.simulator_settings import simulator_settings
-from socialnav.stamps import nanoseconds_of, time_message
-from socialnav.transform_publisher import transform_publisher
-from socialnav.world import World
-from socialnav.world_messages import moving_messages, result_message, standing_messages
+from socialnav.simulator.settings import simulator_settings
+from socialnav.simulator.simulated_sensors import SimulatedSensors
+from socialnav.simulator.transform_publisher import transform_publisher
+from socialnav.simulator.world import World
+from socialnav.simulator.world_messages import moving_messages, result_message, standing_messages
 from socialnav_msgs.msg import AgentStates, EpisodeResult
 from socialnav_msgs.srv import StartEpisode
 

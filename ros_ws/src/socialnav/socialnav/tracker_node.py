@@ -7,14 +7,14 @@ from nav_msgs.msg import Odometry
 from rclpy.node import Node
 
 from socialnav import qos
-from socialnav.conversions import ConversionError
-from socialnav.detection_types import DETECTION_TYPES, message_class
-from socialnav.locating import Locator
+from socialnav.messages.conversions import ConversionError
+from socialnav.messages.detection_types import DETECTION_TYPES, message_class
+from socialnav.messages.sensor_messages import detection_points, tracks_message
+from socialnav.messages.stamps import header_message, nanoseconds_of
 from socialnav.parameters import declare
+from socialnav.perception.locating import Locator
+from socialnav.perception.sensor_parameters import TRACKER_PARAMETERS
 from socialnav.running import run
-from socialnav.sensor_messages import detection_points, tracks_message
-from socialnav.sensor_parameters import TRACKER_PARAMETERS
-from socialnav.stamps import header_message, nanoseconds_of
 from socialnav_core.sensing import Tracker, TrackerSettings
 from socialnav_msgs.msg import AgentStates
 

@@ -7,7 +7,7 @@ from graph import Graph, open_graph
 import pytest
 import stops
 
-from socialnav.isolation import isolated_environment
+from socialnav.demo.isolation import isolated_environment
 
 os.environ.update(isolated_environment(os.environ))
 

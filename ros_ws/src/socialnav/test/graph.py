@@ -14,7 +14,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import QoSProfile
 from shared_memory import owned_files, remove
 
-from socialnav.children import command_line
+from socialnav.demo.children import command_line
 
 DEADLINE = 60.0
 """Time that anything may take before a test fails, s."""

@@ -4,7 +4,7 @@ from pathlib import Path
 import sys
 
 from socialnav import driver, policy_node
-from socialnav.controller import Controller
+from socialnav.control.controller import Controller
 
 
 class CountedController(Controller):

@@ -13,11 +13,11 @@ import pytest
 from rclpy.serialization import deserialize_message, serialize_message
 from worlds import messages_of, random_state
 
-from socialnav.bag import open_bag
-from socialnav.markers import world_markers
-from socialnav_core.evaluation import bag
-from socialnav_core.evaluation.recording import Recording
-from socialnav_core.evaluation.ros2msg import definitions
+from socialnav.demo.bag import open_bag
+from socialnav.messages.markers import world_markers
+from socialnav_core.viewing import bag
+from socialnav_core.viewing.recording import Recording
+from socialnav_core.viewing.ros2msg import definitions
 
 STAMP = bag.START + 500_000_000  # the random worlds are half a second old
 

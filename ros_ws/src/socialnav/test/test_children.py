@@ -11,8 +11,8 @@ import rclpy
 from rclpy.clock import ClockType
 from rclpy.parameter import Parameter
 
-from socialnav import children
-from socialnav.clocks import pacing_clock
+from socialnav.demo import children
+from socialnav.realtime.clocks import pacing_clock
 
 DEAF = """
 import pathlib, signal, sys, time

@@ -8,8 +8,8 @@ import pytest
 import torch
 from worlds import BODY, messages_of, random_state
 
-from socialnav.controller import Controller
-from socialnav.controller_settings import ControllerSettings
+from socialnav.control.controller import Controller
+from socialnav.control.settings import ControllerSettings
 from socialnav_core.config import PolicyConfig, ScreeningConfig
 from socialnav_core.policies import build_network, ValuePolicy
 from socialnav_core.sensing import HERE

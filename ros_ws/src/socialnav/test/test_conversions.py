@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from worlds import BODY, messages_of, random_state
 
-from socialnav.conversions import (
+from socialnav.messages.conversions import (
     ConversionError,
     crowd_state,
     nearest_agents,

@@ -2,10 +2,10 @@
 
 import pytest
 
-from socialnav.demo import parse
-from socialnav.demo_graph import node_parameters, node_topics
+from socialnav.demo.graph import node_parameters, node_topics
+from socialnav.demo.run import parse
 from socialnav.parameters import POLICY_PARAMETERS, SIMULATOR_PARAMETERS
-from socialnav.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
+from socialnav.perception.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
 
 TABLES = {
     'simulator_node': SIMULATOR_PARAMETERS,

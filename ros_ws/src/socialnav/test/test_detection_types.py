@@ -8,11 +8,11 @@ from graph import DEADLINE
 import numpy as np
 import pytest
 
-from socialnav.conversions import ConversionError
-from socialnav.detection_types import DETECTION_TYPES, message_class
-from socialnav.locating import Locator
-from socialnav.sensor_messages import detection_points
-from socialnav.stamps import header_message
+from socialnav.messages.conversions import ConversionError
+from socialnav.messages.detection_types import DETECTION_TYPES, message_class
+from socialnav.messages.sensor_messages import detection_points
+from socialnav.messages.stamps import header_message
+from socialnav.perception.locating import Locator
 from socialnav_msgs.msg import AgentState, AgentStates
 
 SOMEBODY, ELSEWHERE = Pose(position=Point(x=1.0, y=2.0)), Pose(position=Point(x=9.0, y=9.0))

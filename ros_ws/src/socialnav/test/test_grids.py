@@ -10,10 +10,10 @@ from test_controller import controller_of, SECOND, SETTINGS
 from test_controller import policy as policy
 from worlds import random_state
 
-from socialnav.conversions import ConversionError, quaternion_of
-from socialnav.grids import grid_discs, grid_points
-from socialnav.occupancy import map_message
-from socialnav.stamps import header_message
+from socialnav.messages.conversions import ConversionError, quaternion_of
+from socialnav.messages.grids import grid_discs, grid_points
+from socialnav.messages.occupancy import map_message
+from socialnav.messages.stamps import header_message
 from socialnav_core.sensing import Pose
 
 HALF_CELL = 0.5 * math.sqrt(0.5)

@@ -12,10 +12,10 @@ from visualization_msgs.msg import Marker, MarkerArray
 from worlds import random_state
 
 from socialnav import qos
-from socialnav.intentions import attention_markers, predicted_path
+from socialnav.messages.intentions import attention_markers, predicted_path
 from socialnav_core.config import Config, PolicyConfig
 from socialnav_core.policies import build_network
-from socialnav_core.policies.checkpoint import save_weights
+from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario
 
 

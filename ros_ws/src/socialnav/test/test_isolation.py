@@ -4,7 +4,7 @@ import socket
 
 import pytest
 
-from socialnav.isolation import DOMAINS, free_domain, isolated_environment, occupied
+from socialnav.demo.isolation import DOMAINS, free_domain, isolated_environment, occupied
 
 
 def test_nodes_meet_on_this_machine_only_in_a_domain_that_is_free():

@@ -10,7 +10,7 @@ from rclpy.parameter import Parameter
 from worlds import random_state
 
 from socialnav.parameters import declare, ParameterError, POLICY_PARAMETERS, SIMULATOR_PARAMETERS
-from socialnav.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
+from socialnav.perception.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
 
 TABLES = {
     'policy_node': POLICY_PARAMETERS,

@@ -13,7 +13,7 @@ from robot import drives, speed
 from socialnav import qos
 from socialnav_core.config import Config
 from socialnav_core.policies import build_network
-from socialnav_core.policies.checkpoint import save_weights
+from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario
 
 

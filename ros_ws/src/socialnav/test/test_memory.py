@@ -5,7 +5,7 @@ import weakref
 
 import pytest
 
-from socialnav.memory import set_aside
+from socialnav.realtime.memory import set_aside
 
 
 class Cycle:

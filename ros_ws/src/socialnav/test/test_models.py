@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 import torch
 
-from socialnav.controller_settings import controller_settings, real_time_settings
-from socialnav.models import example_state, installed, ready_policy
+from socialnav.control.models import example_state, installed, ready_policy
+from socialnav.control.settings import controller_settings, real_time_settings
 from socialnav.parameters import DEFAULT_MODEL, POLICY_PARAMETERS
 
 SHARE = Path(get_package_share_directory('socialnav')) / 'models'

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from worlds import random_state
 
-from socialnav.conversions import agents_message, ConversionError, odometry_message
-from socialnav.obstacle_finder import ObstacleFinder
-from socialnav.occupancy import map_message
-from socialnav.sensor_messages import scan_message
-from socialnav.sensor_parameters import OBSTACLE_PARAMETERS
-from socialnav.stamps import nanoseconds_of
+from socialnav.messages.conversions import agents_message, ConversionError, odometry_message
+from socialnav.messages.occupancy import map_message
+from socialnav.messages.sensor_messages import scan_message
+from socialnav.messages.stamps import nanoseconds_of
+from socialnav.perception.obstacle_finder import ObstacleFinder
+from socialnav.perception.sensor_parameters import OBSTACLE_PARAMETERS
 from socialnav_core.sensing import beam_angles, cast_rays
 
 SECOND = 10**9

@@ -9,9 +9,9 @@ from sensor_msgs.msg import LaserScan
 from worlds import random_state
 
 from socialnav import qos
-from socialnav.conversions import odometry_message
-from socialnav.occupancy import map_message
-from socialnav.sensor_messages import scan_message
+from socialnav.messages.conversions import odometry_message
+from socialnav.messages.occupancy import map_message
+from socialnav.messages.sensor_messages import scan_message
 from socialnav_core.sensing import DetectorSettings, ScannerSettings, Sensors
 from socialnav_msgs.msg import AgentStates
 

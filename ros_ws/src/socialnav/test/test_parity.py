@@ -7,12 +7,12 @@ import pytest
 import torch
 
 from socialnav import qos
+from socialnav.messages.stamps import nanoseconds_of
 from socialnav.parameters import DEFAULT_MODEL
-from socialnav.stamps import nanoseconds_of
-from socialnav.world import OUTCOMES
+from socialnav.simulator.world import OUTCOMES
 from socialnav_core.config import Config, PolicyConfig
 from socialnav_core.policies import build_network, load_policy
-from socialnav_core.policies.checkpoint import save_weights
+from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario, Outcome, Simulator
 from socialnav_msgs.msg import EpisodeResult
 

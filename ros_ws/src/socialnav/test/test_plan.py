@@ -10,8 +10,8 @@ import pytest
 from test_controller import controller_of, give, Recorder, SECOND, SETTINGS
 from worlds import random_state
 
-from socialnav.plan import FOLLOWED, NO_PLAN, PlanFollower
-from socialnav.stamps import header_message
+from socialnav.control.plan import FOLLOWED, NO_PLAN, PlanFollower
+from socialnav.messages.stamps import header_message
 from socialnav_core.sensing import Pose
 
 CORNER = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0)]

@@ -20,10 +20,10 @@ from test_plan import plan_of
 from worlds import random_state
 
 from socialnav import qos
-from socialnav.occupancy import map_message
+from socialnav.control.reasons import STALLED
+from socialnav.messages.occupancy import map_message
+from socialnav.messages.stamps import nanoseconds_of
 from socialnav.parameters import DEFAULT_MODEL
-from socialnav.reasons import STALLED
-from socialnav.stamps import nanoseconds_of
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@
 
 import pytest
 
-from socialnav.punctuality import Punctuality
+from socialnav.realtime.punctuality import Punctuality
 
 PERIOD = 0.1
 

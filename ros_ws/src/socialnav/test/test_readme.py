@@ -7,9 +7,9 @@ import re
 import pytest
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
-from socialnav.detection_types import DETECTION_TYPES
+from socialnav.messages.detection_types import DETECTION_TYPES
 from socialnav.parameters import POLICY_PARAMETERS, SIMULATOR_PARAMETERS
-from socialnav.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
+from socialnav.perception.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
 
 README = (Path(__file__).parents[1] / 'README.md').read_text()
 OWN_TOPICS = ('/rosout', '/parameter_events')

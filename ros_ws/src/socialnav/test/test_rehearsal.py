@@ -11,9 +11,9 @@ from test_controller import controller_of, give, Recorder, SECOND, SETTINGS
 import torch
 from worlds import messages_of, random_state
 
-from socialnav.alarm import Alarm
-from socialnav.controller import Controller
-from socialnav.rehearsal import Rehearsal
+from socialnav.control.controller import Controller
+from socialnav.realtime.alarm import Alarm
+from socialnav.realtime.rehearsal import Rehearsal
 from socialnav_core.config import PolicyConfig
 from socialnav_core.policies import build_network, ValuePolicy
 from socialnav_core.sensing import HERE

@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 from worlds import random_state
 
-from socialnav.conversions import agents_message, ConversionError, odometry_message
-from socialnav.detection_types import DETECTION_TYPES
-from socialnav.locating import Locator
-from socialnav.sensor_messages import (
+from socialnav.messages.conversions import agents_message, ConversionError, odometry_message
+from socialnav.messages.detection_types import DETECTION_TYPES
+from socialnav.messages.sensor_messages import (
     detection_points,
     detections_message,
     discs_message,
@@ -18,7 +17,8 @@ from socialnav.sensor_messages import (
     scan_points,
     tracks_message,
 )
-from socialnav.stamps import header_message, nanoseconds_of
+from socialnav.messages.stamps import header_message, nanoseconds_of
+from socialnav.perception.locating import Locator
 from socialnav_core.sensing import beam_angles, Tracks
 
 SECOND = 10**9

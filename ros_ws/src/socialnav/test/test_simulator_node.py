@@ -10,7 +10,7 @@ from std_srvs.srv import SetBool
 from visualization_msgs.msg import MarkerArray
 
 from socialnav import qos
-from socialnav.stamps import nanoseconds_of, time_message
+from socialnav.messages.stamps import nanoseconds_of, time_message
 from socialnav_core.sensing import DetectorSettings, ScannerSettings, Sensors
 from socialnav_core.simulation import make_scenario, Simulator
 from socialnav_msgs.msg import AgentStates, EpisodeResult

@@ -14,7 +14,7 @@ import stops
 from worlds import random_state
 
 from socialnav import qos
-from socialnav.stamps import time_message
+from socialnav.messages.stamps import time_message
 
 pytestmark = pytest.mark.usefixtures('repetition')
 

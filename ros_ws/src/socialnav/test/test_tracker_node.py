@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from socialnav import qos
-from socialnav.sensor_messages import detections_message
-from socialnav.stamps import nanoseconds_of
+from socialnav.messages.sensor_messages import detections_message
+from socialnav.messages.stamps import nanoseconds_of
 from socialnav_msgs.msg import AgentStates
 
 SECOND = 10**9

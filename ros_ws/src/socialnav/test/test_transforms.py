@@ -8,10 +8,10 @@ from geometry_msgs.msg import TransformStamped, Vector3
 import pytest
 from worlds import messages_of, random_state
 
-from socialnav.conversions import ConversionError, quaternion_of
-from socialnav.transform_publisher import TransformPublisher
-from socialnav.transforms import placement_of_transform, Transforms
-from socialnav.world_messages import Frames
+from socialnav.messages.conversions import ConversionError, quaternion_of
+from socialnav.messages.transforms import placement_of_transform, Transforms
+from socialnav.simulator.transform_publisher import TransformPublisher
+from socialnav.simulator.world_messages import Frames
 from socialnav_core.sensing import Pose
 
 FRAMES = Frames('map', 'odom', 'base_link')
@@ -106,6 +106,6 @@ def test_what_tf2_does_not_know_is_said_in_its_words(graph, tf2):
 
 
 def test_without_tf2_it_is_said_that_it_is_missing(graph, monkeypatch):
-    monkeypatch.setattr('socialnav.transforms.find_spec', lambda name: None)
+    monkeypatch.setattr('socialnav.messages.transforms.find_spec', lambda name: None)
     with pytest.raises(LookupError, match="be in 'odom', since tf2_ros is not installed"):
         Transforms(graph.node).locate('odom', 'map', 0)

@@ -7,7 +7,7 @@ from rclpy.serialization import serialize_message
 from test_controller import controller_of, Recorder, SECOND
 from worlds import messages_of, random_state
 
-from socialnav.unread import content, Unread
+from socialnav.messages.unread import content, Unread
 
 BROKEN = Unread(Odometry, b'no message at all')
 

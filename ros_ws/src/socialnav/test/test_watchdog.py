@@ -4,7 +4,7 @@ from contextlib import contextmanager
 from queue import Queue
 import time
 
-from socialnav.watchdog import Watchdog
+from socialnav.realtime.watchdog import Watchdog
 
 DEADLINE = 60.0
 """Time that anything may take before a test fails, s."""

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from socialnav.world import World
+from socialnav.simulator.world import World
 from socialnav_core.simulation import make_scenario, Simulator
 
 SECOND = 10**9

@@ -2,7 +2,12 @@
 
 import numpy as np
 
-from socialnav.conversions import agents_message, goal_message, odometry_message, RobotBody
+from socialnav.messages.conversions import (
+    agents_message,
+    goal_message,
+    odometry_message,
+    RobotBody,
+)
 from socialnav_core.states import CrowdState
 
 BODY = RobotBody(radius=0.3, preferred_speed=1.0, bounds=7.5)

@@ -1,0 +1,1 @@
+"""From the newest inputs to a command; knows no rclpy."""

@@ -1,0 +1,273 @@
+"""All of the decision: from the newest inputs to a velocity of the robot, or a reason to stand."""
+
+from collections.abc import Callable
+import contextlib
+import dataclasses
+import time
+from typing import Any
+
+import numpy as np
+
+from socialnav.control.extrapolation import extrapolate
+from socialnav.control.inputs import Inputs
+from socialnav.control.plan import PlanFollower
+from socialnav.control.reasons import ARRIVED, STALLED
+from socialnav.control.runs import Run
+from socialnav.control.settings import ControllerSettings
+from socialnav.control.tally import Tally
+from socialnav.messages.conversions import ConversionError, crowd_state, nearest_agents, rotate
+from socialnav.messages.frames import Locate, not_asked
+from socialnav.messages.grids import grid_discs, with_discs
+from socialnav_core.policies import Policy, ValuePolicy
+from socialnav_core.simulation.limits import present_command, reachable
+from socialnav_core.states import CrowdState
+
+NO_COMMAND = np.zeros(2)
+
+
+@dataclasses.dataclass(frozen=True)
+class Decision:
+    """What the robot shall do now."""
+
+    command: np.ndarray
+    """(vx, vy) in base_link, m/s, or speed and turn rate of a differential drive, (2,)."""
+    reason: str | None = None
+    """Why the robot stands; None while it drives."""
+    publish: bool = True
+    """False once the robot has stood for so long that others may command it."""
+    stamp: int = 0
+    """Time of the state that is answered in lockstep, ns."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Intention:
+    """What the latest decision was about."""
+
+    state: CrowdState
+    """The world when the command takes effect, batch of one."""
+    command: np.ndarray
+    """(vx, vy) in the world frame, m/s, or speed and turn rate, (2,)."""
+
+
+class Controller:
+    """Holds what is known and decides; one caller at a time."""
+
+    def __init__(
+        self,
+        policy: Policy,
+        settings: ControllerSettings,
+        steady: Callable[[], float] = time.monotonic,
+        locate: Locate = not_asked,
+    ) -> None:
+        """
+        Start without any input.
+
+        :param policy: what chooses the velocity.
+        :param settings: may be replaced at any time.
+        :param steady: a clock that always runs, s.
+        :param locate: says where the frames of inputs lie.
+        """
+        self.settings = settings
+        self.goal_reached = False
+        self.tally = Tally()
+        self.intention: Intention | None = None
+        self.plan = PlanFollower()
+        self._policy = policy
+        self._steady = steady
+        self._locate = locate
+        self._inputs = Inputs()
+        self._run = Run()
+        self._latency = 0.0
+        self._standing_since: float | None = None
+        self._latest: Decision | None = None
+
+    def store(self, name: str, message: Any) -> None:
+        """
+        Take an input.
+
+        :param name: odom, pedestrians, obstacles, goal_pose, plan or map.
+        :param message: of that topic.
+        """
+        self._inputs.store(name, message)
+
+    def cancel_goal(self) -> bool:
+        """Forget the goal, so that the robot stands; return whether there was one."""
+        return self._inputs.cancel_goal()
+
+    def input_ages(self, now: int) -> dict[str, float]:
+        """
+        Return how old each input is that has come, s.
+
+        :param now: ns, on the clock of the stamps.
+        """
+        return self._inputs.ages(now)
+
+    def time_left(self, now: int) -> float:
+        """
+        Return for how long the inputs that made the robot drive can be acted on, s.
+
+        :param now: ns, on the clock of the stamps.
+        """
+        return self._inputs.time_left(now, self.settings)
+
+    def attention(self) -> np.ndarray | None:
+        """Return how much the policy looked at each agent, (agents,); None where it does not."""
+        if self.intention is None or not isinstance(self._policy, ValuePolicy):
+            return None
+        return self._policy.attention(self.intention.state)[0]
+
+    def take_complete_state(self) -> bool:
+        """Return whether a whole state of a world in lockstep waits for its decision."""
+        return self._inputs.take_complete_state()
+
+    def decide(self, now: int) -> Decision:
+        """
+        Return what to do; the robot stands where anything is wrong.
+
+        :param now: ns, on the clock of the stamps.
+        """
+        lockstep = self.settings.lockstep
+        stamp = self._inputs.stamp('odom') if lockstep else 0
+        if lockstep and self._latest is not None and self._latest.stamp == stamp:
+            return self._latest  # the state came again because the answer was lost
+        command, reason = self._choose(now)
+        self._latest = Decision(command, reason, self._to_be_published(reason), stamp)
+        return self._latest
+
+    def rehearse(self) -> None:
+        """Do the work of the latest decision again, with what has come since, for no result."""
+        if self.intention is None or not isinstance(self._policy, ValuePolicy):
+            return  # other policies may remember what they saw
+        with contextlib.suppress(Exception):  # the decision itself will tell
+            self._read_state(not_asked)  # a transform may have to be waited for
+            self._policy.act(self.intention.state)
+
+    def stall(self) -> Decision:
+        """Return what to do when decide() is not called any more; another thread may ask."""
+        return Decision(NO_COMMAND, STALLED, self._to_be_published(STALLED))
+
+    def _choose(self, now: int) -> tuple[np.ndarray, str | None]:
+        """Return a command, or a zero one and the reason; an error or a late end is one too."""
+        settings, began = self.settings, self._steady()
+        self.intention = None
+        try:
+            command, reason = self._considered(now)
+        except ConversionError as error:
+            return NO_COMMAND, str(error)
+        except Exception as error:  # whatever it is, the robot must not drive on
+            if settings.lockstep:
+                raise
+            return NO_COMMAND, f'the decision failed: {type(error).__name__}: {error}'
+        if reason is not None:
+            return NO_COMMAND, reason
+        elapsed = self._steady() - began
+        self._latency = min(elapsed, settings.period)
+        self.tally.decisions += 1
+        self.tally.decision_time = elapsed
+        if not settings.lockstep and elapsed > settings.period:
+            self.tally.late += 1
+            self.intention = None
+            return NO_COMMAND, f'the decision took {elapsed:.2f} s, longer than a period'
+        return command, None
+
+    def _considered(self, now: int) -> tuple[np.ndarray, str | None]:
+        """Return a command and, where the robot must stand instead, the reason."""
+        reason = self._inputs.complaint(now, self.settings)
+        if reason is not None:
+            return NO_COMMAND, reason
+        state = self._known_state(now)
+        distance = np.linalg.norm(state.robot_goal[0] - state.robot_position[0])
+        self.goal_reached = self.goal_reached or bool(distance < self.settings.goal_tolerance)
+        if self.goal_reached:
+            return NO_COMMAND, ARRIVED
+        return self._drive(self._on_plan(self._coming_state(state, now), now))
+
+    def _known_state(self, now: int) -> CrowdState:
+        """Return the world at the inputs' own times, the nearest agents; begin a run if new."""
+        settings, goal = self.settings, self._inputs.newest('goal_pose')
+        state = self._read_state(self._locate)
+        moment = self._inputs.stamp('odom') if settings.lockstep else now
+        if self._run.begins(goal, moment, 1.5 * settings.period if settings.lockstep else None):
+            self.goal_reached = False
+            self._policy.reset()
+        state.time[:] = self._run.time
+        return self._with_map(nearest_agents(state, settings.max_agents))
+
+    def _read_state(self, locate: Locate) -> CrowdState:
+        """Return the world as the inputs tell it, at their own times."""
+        settings = self.settings
+        odometry, pedestrians, obstacles, goal = map(
+            self._inputs.newest, ('odom', 'pedestrians', 'obstacles', 'goal_pose')
+        )
+        return crowd_state(
+            odometry, goal, pedestrians, obstacles, settings.body, settings.planning_frame,
+            locate=locate,
+        )  # fmt: skip
+
+    def _with_map(self, state: CrowdState) -> CrowdState:
+        """Return the state with what the map shows near the robot, where that is wanted."""
+        if not self.settings.use_map:
+            return state
+        grid, frame = self._inputs.newest('map'), self.settings.planning_frame
+        return with_discs(state, *grid_discs(grid, state.robot_position[0], frame, self._locate))
+
+    def _on_plan(self, state: CrowdState, now: int) -> CrowdState:
+        """Return the state with the next point of the plan for its goal, where there is a plan."""
+        settings = self.settings
+        point = self.plan.heading_point(
+            self._inputs.newest('plan'),
+            state.robot_position[0],
+            state.robot_goal[0],
+            settings.plan_lookahead_distance,
+            settings.planning_frame,
+            self._locate,
+            self._inputs.plan_complaint(now, settings),
+        )
+        return dataclasses.replace(state, robot_goal=np.asarray(point)[None])
+
+    def _coming_state(self, state: CrowdState, now: int) -> CrowdState:
+        """Return the state at the moment when a command that is chosen now takes effect."""
+        if self.settings.lockstep:
+            return state
+        effect = now * 1e-9 + self._latency
+        robot, people = (
+            effect - self._inputs.stamp(name) * 1e-9 for name in ('odom', 'pedestrians')
+        )
+        turn_rate = self._inputs.newest('odom').twist.twist.angular.z
+        return extrapolate(state, max(robot, 0.0), turn_rate, max(people, 0.0))
+
+    def _drive(self, state: CrowdState) -> tuple[np.ndarray, str | None]:
+        """Return the command that the policy chooses, within the limits."""
+        if isinstance(self._policy, ValuePolicy):  # others choose freely and are clamped
+            self._policy.limits = self.settings.limits
+        command = np.asarray(self._policy.act(state)[0], dtype=float)
+        executable = self._executable(command, state)
+        sent = self._in_base_frame(executable, state)
+        if not np.isfinite([command, sent]).all():
+            return NO_COMMAND, f'the policy chose {command.tolist()}, which is no velocity'
+        self.intention = Intention(state, executable)
+        self.tally.clamped += not np.allclose(executable, command, rtol=0, atol=1e-9)
+        return sent, None
+
+    def _executable(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
+        """Return a command of the policy within the limits, where it should be already."""
+        settings = self.settings
+        present = present_command(settings.kinematics, state)[0]
+        return reachable(settings.kinematics, command, present, settings.limits, settings.period)
+
+    def _in_base_frame(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
+        """Return a command as the robot takes it."""
+        if self.settings.kinematics == 'differential':
+            return command
+        return rotate(command, -float(state.robot_heading[0]))
+
+    def _to_be_published(self, reason: str | None) -> bool:
+        """Return whether a decision is worth a message; count how long the robot has stood."""
+        if reason is None:
+            self._standing_since = None
+            return True
+        now, since = self._steady(), self._standing_since  # the watchdog may ask in between
+        if since is None:
+            self._standing_since = since = now
+        timeout = self.settings.stop_publish_timeout
+        return timeout == 0 or now - since <= timeout

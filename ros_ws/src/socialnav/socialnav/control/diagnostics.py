@@ -1,0 +1,88 @@
+"""What operators see of the policy node."""
+
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+
+from socialnav.control.reasons import ARRIVED, NO_GOAL, STALLED
+from socialnav.control.tally import Tally
+from socialnav.messages.stamps import header_message
+
+ACTIVE = 'active'
+
+
+def diagnostics_message(
+    nanoseconds: int,
+    name: str,
+    state: str,
+    reason: str | None,
+    facts: dict[str, str],
+    rivals: list[str],
+) -> DiagnosticArray:
+    """
+    Return the health of a node.
+
+    :param nanoseconds: now.
+    :param name: of the node.
+    :param state: of its life cycle.
+    :param reason: why the robot stands, or why the node is not configured; None for no reason.
+    :param facts: whatever else is worth knowing.
+    :param rivals: other nodes that may command the robot; no fault while this one does not.
+    """
+    message = reason or ('driving' if state == ACTIVE else state)
+    level = level_of(state, reason)
+    if rivals and state == ACTIVE:
+        message += f'; cmd_vel has other publishers: {", ".join(rivals)}'
+        level = max(level, DiagnosticStatus.WARN)
+    values = {'state': state} | facts
+    status = DiagnosticStatus(
+        level=level,
+        name=name,
+        message=message,
+        values=[KeyValue(key=key, value=value) for key, value in values.items()],
+    )
+    return DiagnosticArray(header=header_message(nanoseconds, ''), status=[status])
+
+
+def level_of(state: str, reason: str | None) -> bytes:
+    """
+    Return how bad it is: standing without a goal is no fault, standing for another reason is.
+
+    :param state: of the life cycle.
+    :param reason: why the robot stands, or why the node is not configured.
+    """
+    if reason in (None, ARRIVED, NO_GOAL):
+        return DiagnosticStatus.OK
+    if state != ACTIVE or reason == STALLED:
+        return DiagnosticStatus.ERROR
+    return DiagnosticStatus.WARN
+
+
+def controller_facts(
+    model: str, plan: str, ages: dict[str, float], tally: Tally
+) -> dict[str, str]:
+    """
+    Return what is known of a controller, by name.
+
+    :param model: its name.
+    :param plan: whether one is followed.
+    :param ages: of its inputs, s.
+    :param tally: what it has counted.
+    """
+    return {
+        'model': model,
+        'plan': plan,
+        **{f'age of {name} [s]': f'{age:.2f}' for name, age in ages.items()},
+        'decisions': str(tally.decisions),
+        'late decisions': str(tally.late),
+        'clamped commands': str(tally.clamped),
+        'decision time [s]': f'{tally.decision_time:.4f}',
+    }
+
+
+def is_unusable(status: DiagnosticStatus) -> bool:
+    """
+    Return whether a node will not drive until somebody changes its parameters.
+
+    :param status: its health.
+    """
+    unconfigured = KeyValue(key='state', value='unconfigured') in status.values
+    return unconfigured and status.level == DiagnosticStatus.ERROR

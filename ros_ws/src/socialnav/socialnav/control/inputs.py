@@ -1,0 +1,155 @@
+"""The newest message of each input, and what keeps a robot from acting on them."""
+
+import math
+from typing import Any
+
+from geometry_msgs.msg import PoseStamped
+
+from socialnav.control.settings import ControllerSettings
+from socialnav.messages.stamps import nanoseconds_of
+from socialnav.messages.unread import content, Unread
+
+NAMES = ('odom', 'pedestrians', 'obstacles', 'goal_pose')
+OPTIONAL = ('plan', 'map')
+"""Inputs that a state in lockstep does not have."""
+AGEING = ('odom', 'pedestrians')
+
+
+class Inputs:
+    """
+    Messages as they come.
+
+    odom and pedestrians age; obstacles only where a time-out is set; a goal never does.
+    """
+
+    def __init__(self) -> None:
+        self._newest: dict[str, Any] = {}
+        self._unread: set[str] = set()
+        self._cancelled: PoseStamped | None = None
+
+    def store(self, name: str, message: Any) -> None:
+        """
+        Keep a message in place of the earlier one; a goal that was cancelled does not come back.
+
+        A goal without a stamp was typed by somebody, who means it each time.
+
+        :param name: one of NAMES or OPTIONAL.
+        :param message: it has a header; odom and pedestrians may be unread.
+        """
+        if (
+            name == 'goal_pose'
+            and message == self._cancelled
+            and nanoseconds_of(message.header.stamp)
+        ):
+            return
+        self._newest[name] = message
+        if name in NAMES:
+            self._unread.add(name)
+
+    def cancel_goal(self) -> bool:
+        """Forget the goal; return whether there was one."""
+        goal = self._newest.pop('goal_pose', None)
+        self._cancelled = goal or self._cancelled
+        return goal is not None
+
+    def ages(self, now: int) -> dict[str, float]:
+        """
+        Return how old the inputs are that there are, s.
+
+        :param now: ns, on the clock of the stamps.
+        """
+        known = [name for name in (*NAMES, *OPTIONAL) if self.newest(name) is not None]
+        return {name: (now - self.stamp(name)) * 1e-9 for name in known}
+
+    def newest(self, name: str) -> Any:
+        """
+        Return the newest message of an input, or None, also where it cannot be read.
+
+        :param name: one of NAMES or OPTIONAL.
+        """
+        message = self._newest.get(name)
+        if isinstance(message, Unread):  # others are not put back: they may be gone by now
+            message = self._newest[name] = content(message)
+        return message
+
+    def stamp(self, name: str) -> int:
+        """
+        Return the time of the newest message of an input, ns, 0 where there is none.
+
+        :param name: one of NAMES.
+        """
+        message = self.newest(name)
+        return 0 if message is None else nanoseconds_of(message.header.stamp)
+
+    def take_complete_state(self) -> bool:
+        """Return whether all inputs came with one stamp since the last such state; take them."""
+        complete = len(self._unread) == len(NAMES)
+        if complete and len({self.stamp(name) for name in NAMES}) == 1:
+            self._unread.clear()
+            return True
+        return False
+
+    def complaint(self, now: int, settings: ControllerSettings) -> str | None:
+        """
+        Return why the inputs cannot be acted on, or None.
+
+        :param now: ns, on the clock of the stamps.
+        :param settings: time-outs and what is required.
+        """
+        wanted = [*AGEING, 'goal_pose']
+        wanted += ['obstacles'] * settings.require_obstacles + ['map'] * settings.use_map
+        for name in wanted:
+            if name not in self._newest:
+                return f'no {name}'
+        for name in AGEING:  # read only now, since nothing is missing
+            if self.newest(name) is None:
+                return f'{name}: a message that cannot be read'
+        if settings.lockstep:
+            return None
+        ages, timeouts = self.ages(now), self._timeouts(settings)
+        complaints = (age_complaint(name, ages[name], timeouts[name]) for name in timeouts)
+        return next(filter(None, complaints), None)
+
+    def time_left(self, now: int, settings: ControllerSettings) -> float:
+        """
+        Return the time until the first input is too old, s; negative once one is.
+
+        :param now: ns, on the clock of the stamps.
+        :param settings: time-outs.
+        """
+        ages = self.ages(now)
+        limits = self._timeouts(settings)
+        return min(limits[name] - ages.get(name, math.inf) for name in limits)
+
+    def _timeouts(self, settings: ControllerSettings) -> dict[str, float]:
+        """Return the largest age of each input that ages, s."""
+        timeouts = dict.fromkeys(AGEING, settings.input_timeout)
+        if settings.obstacles_timeout > 0 and 'obstacles' in self._newest:
+            timeouts['obstacles'] = settings.obstacles_timeout
+        return timeouts
+
+    def plan_complaint(self, now: int, settings: ControllerSettings) -> str | None:
+        """
+        Return why the plan cannot be followed, or None where it is fresh or does not age.
+
+        :param now: ns, on the clock of the stamps.
+        :param settings: time-out of plans.
+        """
+        if settings.plan_timeout == 0 or 'plan' not in self._newest:
+            return None
+        return age_complaint('plan', self.ages(now)['plan'], settings.plan_timeout)
+
+
+def age_complaint(name: str, age: float, timeout: float) -> str | None:
+    """
+    Return what is wrong with the age of an input, or None.
+
+    :param name: the input.
+    :param age: s, negative in the future.
+    :param timeout: the largest age, s; a stamp as far in the future is as bad.
+    """
+    if age > timeout:
+        return f'{name} older than {timeout:g} s'
+    if age < -timeout:
+        return f'{name} from the future: are the clocks in step?'
+    return None

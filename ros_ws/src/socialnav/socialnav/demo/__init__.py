@@ -1,0 +1,1 @@
+"""The nodes as processes for some episodes, with a summary, a picture and a bag."""

@@ -1,0 +1,301 @@
+"""Between ROS messages and CrowdState: pure functions that refuse what cannot be true."""
+
+import dataclasses
+import math
+
+from geometry_msgs.msg import Point, PoseStamped, Quaternion, Vector3
+from nav_msgs.msg import Odometry
+import numpy as np
+from std_msgs.msg import Header
+
+from socialnav.messages.frames import Locate, not_asked
+from socialnav.messages.stamps import header_message, nanoseconds_of
+from socialnav_core.sensing import HERE, Pose
+from socialnav_core.states import CrowdState
+from socialnav_msgs.msg import AgentState, AgentStates
+
+
+class ConversionError(ValueError):
+    """A message that must not be used; the text names the input and what is wrong with it."""
+
+
+@dataclasses.dataclass(frozen=True)
+class RobotBody:
+    """What no message says about the robot."""
+
+    radius: float
+    """Radius of the robot's disc, m."""
+    preferred_speed: float
+    """Speed that the robot would like to drive at, m/s."""
+    bounds: float = math.inf
+    """Half-width of the square around the origin that must not be left, m."""
+
+
+def rotate(vector: np.ndarray, angle: float) -> np.ndarray:
+    """
+    Return a plane vector turned counter-clockwise.
+
+    :param vector: (2,).
+    :param angle: rad; the heading turns base_link into world, its negative the other way.
+    """
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return np.array([cosine * vector[0] - sine * vector[1], sine * vector[0] + cosine * vector[1]])
+
+
+def quaternion_of(heading: float) -> Quaternion:
+    """
+    Return the rotation about the z axis.
+
+    :param heading: rad.
+    """
+    return Quaternion(z=math.sin(heading / 2), w=math.cos(heading / 2))
+
+
+def heading_of(name: str, rotation: Quaternion) -> float:
+    """
+    Return the heading of a rotation, rad in [-pi, pi].
+
+    :param name: the input, for the error.
+    :param rotation: a unit quaternion.
+    """
+    x, y, z, w = rotation.x, rotation.y, rotation.z, rotation.w
+    length = math.sqrt(x * x + y * y + z * z + w * w)
+    if not abs(length - 1) < 0.01:
+        raise ConversionError(f'{name}: orientation is no rotation (norm {length:.3g}, not 1)')
+    return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+
+
+def agents_message(state: CrowdState, static: bool, nanoseconds: int, frame: str) -> AgentStates:
+    """
+    Return the pedestrians, or the obstacles, of the first world.
+
+    :param state: the world; an agent's place in it is its id.
+    :param static: whether obstacles are meant.
+    :param nanoseconds: time of the state.
+    :param frame: frame of the state.
+    """
+    chosen = np.flatnonzero(state.valid[0] & (state.static[0] == static))
+    return AgentStates(
+        header=header_message(nanoseconds, frame),
+        agents=[agent_message(state, index) for index in chosen.tolist()],
+    )
+
+
+def agent_message(state: CrowdState, index: int) -> AgentState:
+    """
+    Return one agent of the first world.
+
+    :param state: the world.
+    :param index: place of the agent.
+    """
+    x, y = state.position[0, index].tolist()
+    velocity_x, velocity_y = state.velocity[0, index].tolist()
+    return AgentState(
+        id=index,
+        position=Point(x=x, y=y),
+        velocity=Vector3(x=velocity_x, y=velocity_y),
+        radius=float(state.radius[0, index]),
+    )
+
+
+def odometry_message(
+    state: CrowdState, nanoseconds: int, frame: str, base_frame: str, turn_rate: float = 0.0
+) -> Odometry:
+    """
+    Return pose and velocity of the robot of the first world.
+
+    :param state: the world.
+    :param nanoseconds: time of the state.
+    :param frame: frame of the pose.
+    :param base_frame: frame of the twist, fixed to the robot.
+    :param turn_rate: of the robot, rad/s.
+    """
+    message = Odometry(header=header_message(nanoseconds, frame), child_frame_id=base_frame)
+    heading = float(state.robot_heading[0])
+    x, y = state.robot_position[0].tolist()
+    message.pose.pose.position = Point(x=x, y=y)
+    message.pose.pose.orientation = quaternion_of(heading)
+    velocity_x, velocity_y = rotate(state.robot_velocity[0], -heading).tolist()
+    message.twist.twist.linear = Vector3(x=velocity_x, y=velocity_y)
+    message.twist.twist.angular.z = turn_rate
+    return message
+
+
+def goal_message(state: CrowdState, nanoseconds: int, frame: str) -> PoseStamped:
+    """
+    Return the goal of the robot of the first world; its orientation means nothing.
+
+    :param state: the world.
+    :param nanoseconds: time of the goal.
+    :param frame: frame of the state.
+    """
+    message = PoseStamped(header=header_message(nanoseconds, frame))
+    x, y = state.robot_goal[0].tolist()
+    message.pose.position = Point(x=x, y=y)
+    message.pose.orientation.w = 1.0
+    return message
+
+
+def crowd_state(
+    odometry: Odometry,
+    goal: PoseStamped,
+    pedestrians: AgentStates,
+    obstacles: AgentStates | None,
+    body: RobotBody,
+    frame: str,
+    time: float = 0.0,
+    locate: Locate = not_asked,
+) -> CrowdState:
+    """
+    Return the world as the messages tell it, pedestrians first; batch of one.
+
+    :param odometry: pose and twist of the robot.
+    :param goal: where it should go.
+    :param pedestrians: whoever walks.
+    :param obstacles: whatever stands; None for none.
+    :param body: the robot itself.
+    :param frame: the frame of the state.
+    :param time: since the start of the run, s.
+    :param locate: says where other frames lie in it.
+    :raises ConversionError: a foreign frame, or a number that cannot be.
+    """
+    position, velocity, heading = robot_arrays(odometry, frame, locate)
+    walking = agent_arrays('pedestrians', pedestrians, frame, static=False, locate=locate)
+    standing = agent_arrays('obstacles', obstacles, frame, static=True, locate=locate)
+    agents = [np.concatenate(pair)[None] for pair in zip(walking, standing, strict=True)]
+    return CrowdState(
+        robot_position=position[None],
+        robot_velocity=velocity[None],
+        robot_heading=np.array([heading]),
+        robot_radius=np.array([float(body.radius)]),
+        robot_preferred_speed=np.array([float(body.preferred_speed)]),
+        robot_goal=goal_array(goal, frame, locate)[None],
+        position=agents[0],
+        velocity=agents[1],
+        radius=agents[2],
+        static=agents[3],
+        valid=np.ones(agents[3].shape, dtype=bool),
+        bounds=np.array([float(body.bounds)]),
+        time=np.array([float(time)]),
+    )
+
+
+def robot_arrays(
+    odometry: Odometry, frame: str, locate: Locate = not_asked
+) -> tuple[np.ndarray, np.ndarray, float]:
+    """
+    Return position (2,) and velocity (2,) in the world, and heading.
+
+    :param odometry: its twist is in the robot's own frame.
+    :param frame: the frame of the world.
+    :param locate: says where other frames lie in it.
+    :raises ConversionError: a foreign frame, or a number that cannot be, the turn rate among them.
+    """
+    placement = placement_of('odom', odometry.header, frame, locate)
+    pose, linear = odometry.pose.pose, odometry.twist.twist.linear
+    heading = heading_of('odom', pose.orientation) + placement.heading
+    position = finite('odom', 'position', [pose.position.x, pose.position.y])
+    velocity = finite('odom', 'velocity', [linear.x, linear.y])
+    finite('odom', 'turn rate', [odometry.twist.twist.angular.z])
+    return placement.placed(position), rotate(velocity, heading), heading
+
+
+def goal_array(goal: PoseStamped, frame: str, locate: Locate = not_asked) -> np.ndarray:
+    """
+    Return the place to go to, (2,).
+
+    :param goal: a pose; only its position matters.
+    :param frame: the frame that is wanted.
+    :param locate: says where other frames lie in it.
+    """
+    placement = placement_of('goal_pose', goal.header, frame, locate, newest=True)
+    position = [goal.pose.position.x, goal.pose.position.y]
+    return placement.placed(finite('goal_pose', 'position', position))
+
+
+def agent_arrays(
+    name: str,
+    message: AgentStates | None,
+    frame: str,
+    static: bool,
+    locate: Locate = not_asked,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """
+    Return position (agents, 2), velocity (agents, 2), radius (agents,) and static (agents,).
+
+    :param name: the input, for errors.
+    :param message: the agents; None for none.
+    :param frame: the frame that is wanted.
+    :param static: whether they stand for ever; a velocity is not read then.
+    :param locate: says where other frames lie in it.
+    """
+    agents, placement = [], HERE
+    if message is not None:
+        agents = message.agents
+        placement = placement_of(name, message.header, frame, locate, newest=static)
+    position = finite(name, 'position', [(one.position.x, one.position.y) for one in agents])
+    velocity = np.zeros((len(agents), 2))
+    if not static:
+        speeds = [(one.velocity.x, one.velocity.y) for one in agents]
+        velocity = finite(name, 'velocity', speeds).reshape(-1, 2)
+    radius = finite(name, 'radius', [one.radius for one in agents])
+    if (radius < 0).any():
+        raise ConversionError(f'{name}: negative radius ({radius.min():g} m)')
+    position, velocity = placement.placed(position.reshape(-1, 2)), placement.turned(velocity)
+    return position, velocity, radius, np.full(len(agents), static)
+
+
+def placement_of(
+    name: str, header: Header, frame: str, locate: Locate, newest: bool = False
+) -> Pose:
+    """
+    Return where the frame of a message lies in the one that is wanted.
+
+    :param name: the input, for the error.
+    :param header: of the message.
+    :param frame: the frame that is wanted.
+    :param locate: says where other frames lie in it.
+    :param newest: whether the newest placement counts, since what the message tells stands still
+        and may have been told long ago; otherwise that at its stamp.
+    :raises ConversionError: a frame that nobody knows.
+    """
+    if header.frame_id == frame:
+        return HERE
+    try:
+        return locate(frame, header.frame_id, 0 if newest else nanoseconds_of(header.stamp))
+    except LookupError as error:
+        text = f'{name}: in frame {header.frame_id!r}, but {error}'
+        raise ConversionError(text) from error
+
+
+def finite(name: str, quantity: str, numbers: list) -> np.ndarray:
+    """
+    Return numbers as float64; raise a ConversionError where one is not finite.
+
+    :param name: the input, for the error.
+    :param quantity: what the numbers are, for the error.
+    :param numbers: floats or pairs of them.
+    """
+    array = np.array(numbers, dtype=float)
+    if not np.isfinite(array).all():
+        raise ConversionError(f'{name}: {quantity} with NaN or infinity')
+    return array
+
+
+def nearest_agents(state: CrowdState, max_agents: int) -> CrowdState:
+    """
+    Return the state with only the agents nearest to the robot, in their order.
+
+    :param state: batch of one.
+    :param max_agents: number of agents to keep, by the gap between rim and centre.
+    """
+    if state.agents <= max_agents:
+        return state
+    offset = state.position[0] - state.robot_position[0]
+    gap = np.hypot(offset[:, 0], offset[:, 1]) - state.radius[0]
+    kept = np.sort(np.argsort(gap, kind='stable')[:max_agents])
+    chosen = {
+        name: np.take(getattr(state, name), kept, axis=1)
+        for name in ('position', 'velocity', 'radius', 'static', 'valid')
+    }
+    return dataclasses.replace(state, **chosen)

@@ -1,0 +1,128 @@
+"""Between messages of sensors and arrays: pure functions that refuse what cannot be true."""
+
+import array
+from collections.abc import Callable
+from typing import Any
+
+from geometry_msgs.msg import Point, PoseArray, Quaternion, Vector3
+from geometry_msgs.msg import Pose as PoseMessage
+import numpy as np
+from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Header
+
+from socialnav.messages.conversions import ConversionError, finite
+from socialnav.messages.detection_types import DetectionType
+from socialnav.messages.stamps import header_message
+from socialnav_core.sensing import Pose, scan_returns, Tracks
+from socialnav_msgs.msg import AgentState, AgentStates
+
+Located = Callable[[Header], Pose]
+"""Returns the pose of a header's frame at its time; raises a ConversionError where unknown."""
+
+
+def scan_message(
+    ranges: np.ndarray, range_max: float, duration: float, nanoseconds: int, frame: str
+) -> LaserScan:
+    """
+    Return a scan that goes all around, from straight behind counter-clockwise.
+
+    :param ranges: m, inf where it is free, (beams,).
+    :param range_max: longest range, m.
+    :param duration: time between two scans, s.
+    :param nanoseconds: time of the scan.
+    :param frame: frame of the laser.
+    """
+    increment = 2 * np.pi / len(ranges)
+    return LaserScan(
+        header=header_message(nanoseconds, frame),
+        angle_min=-np.pi,
+        angle_max=np.pi - increment,
+        angle_increment=increment,
+        scan_time=duration,
+        range_max=range_max,
+        ranges=array.array('f', ranges.astype(np.float32).tobytes()),
+    )
+
+
+def scan_points(message: LaserScan) -> np.ndarray:
+    """
+    Return where a scan hit something, in the frame of the laser, m, (returns, 2).
+
+    :param message: the scan.
+    :raises ConversionError: a scan that measured nothing or cannot be.
+    """
+    try:
+        return scan_returns(
+            message.ranges, message.angle_min, message.angle_increment, message.range_min,
+            message.range_max,
+        )  # fmt: skip
+    except ValueError as error:
+        raise ConversionError(f'scan: {error}') from error
+
+
+def detections_message(positions: np.ndarray, nanoseconds: int, frame: str) -> PoseArray:
+    """
+    Return where somebody was seen; the orientations mean nothing.
+
+    :param positions: m, (detections, 2).
+    :param nanoseconds: time of the detections.
+    :param frame: frame of the positions.
+    """
+    upright = Quaternion(w=1.0)
+    poses = [
+        PoseMessage(position=Point(x=x, y=y), orientation=upright) for x, y in positions.tolist()
+    ]
+    return PoseArray(header=header_message(nanoseconds, frame), poses=poses)
+
+
+def detection_points(message: Any, kind: DetectionType, locate: Located) -> np.ndarray:
+    """
+    Return where somebody was seen, m, (detections, 2).
+
+    :param message: positions; everything else in it is not looked at.
+    :param kind: its type.
+    :param locate: tells where the frame of the message was.
+    :raises ConversionError: a position that cannot be, or a frame that is unknown.
+    """
+    places = [(place.x, place.y) for place in kind.places(message)]
+    points = finite('detections', 'position', places)
+    return locate(message.header).placed(points.reshape(-1, 2))
+
+
+def tracks_message(tracks: Tracks, radius: float, header: Header) -> AgentStates:
+    """
+    Return who is there.
+
+    :param tracks: their positions and velocities.
+    :param radius: of everybody, m.
+    :param header: time and frame of the tracks.
+    """
+    agents = [
+        AgentState(
+            id=number % 2**32,
+            position=Point(x=x, y=y),
+            velocity=Vector3(x=velocity_x, y=velocity_y),
+            radius=radius,
+        )
+        for number, (x, y), (velocity_x, velocity_y) in zip(
+            tracks.id.tolist(), tracks.position.tolist(), tracks.velocity.tolist(), strict=True
+        )
+    ]
+    return AgentStates(header=header, agents=agents)
+
+
+def discs_message(centres: np.ndarray, radii: np.ndarray, header: Header) -> AgentStates:
+    """
+    Return what stands; the id of a disc is its place, and tells nothing later.
+
+    :param centres: m, (discs, 2).
+    :param radii: m, (discs,).
+    :param header: time and frame of the discs.
+    """
+    agents = [
+        AgentState(id=number, position=Point(x=x, y=y), radius=radius)
+        for number, ((x, y), radius) in enumerate(
+            zip(centres.tolist(), radii.tolist(), strict=True)
+        )
+    ]
+    return AgentStates(header=header, agents=agents)

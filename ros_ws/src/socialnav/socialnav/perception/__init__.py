@@ -1,0 +1,1 @@
+"""From scans, grids and detections to obstacles and pedestrians."""

@@ -1,0 +1,67 @@
+"""Where the robot was when something was measured, told by odom alone."""
+
+from nav_msgs.msg import Odometry
+from std_msgs.msg import Header
+
+from socialnav.messages.conversions import ConversionError, robot_arrays
+from socialnav.messages.stamps import nanoseconds_of
+from socialnav_core.sensing import HERE, Pose, PoseHistory
+from socialnav_core.sensing.poses import Motion
+
+
+class Locator:
+    """The way of the robot through the planning frame."""
+
+    def __init__(self, planning_frame: str, base_frame: str, timeout: float) -> None:
+        """
+        Start without a pose.
+
+        :param planning_frame: frame of odom.
+        :param base_frame: frame of the robot.
+        :param timeout: longest time over which a pose is interpolated or extrapolated, s.
+        """
+        self.planning_frame, self.base_frame = planning_frame, base_frame
+        self.latest = 0
+        self._history = PoseHistory(timeout)
+
+    def store(self, odometry: Odometry) -> None:
+        """
+        Keep a pose.
+
+        :param odometry: of the robot.
+        :raises ConversionError: a pose in another frame, or one that cannot be.
+        """
+        position, velocity, heading = robot_arrays(odometry, self.planning_frame)
+        pose = Pose(*position.tolist(), heading)
+        self.latest = nanoseconds_of(odometry.header.stamp)
+        self._history.store(self.latest, Motion(pose, velocity, odometry.twist.twist.angular.z))
+
+    def base(self, stamp: int) -> Pose:
+        """
+        Return where the robot was.
+
+        :param stamp: when, ns.
+        :raises ConversionError: where no odom is near enough.
+        """
+        pose = self._history.at(stamp)
+        if pose is None:
+            raise ConversionError(
+                f'no odom within {self._history.reach:g} s: where the robot was is unknown'
+            )
+        return pose
+
+    def frame(self, header: Header) -> Pose:
+        """
+        Return where the frame of a message was.
+
+        :param header: of the message.
+        :raises ConversionError: a frame that is neither that of odom nor that of the robot.
+        """
+        if header.frame_id == self.planning_frame:
+            return HERE
+        if header.frame_id == self.base_frame:
+            return self.base(nanoseconds_of(header.stamp))
+        raise ConversionError(
+            f'detections: in frame {header.frame_id!r}, but they must be in '
+            f'{self.planning_frame!r} or {self.base_frame!r}'
+        )

@@ -1,0 +1,1 @@
+"""Timers, watchdogs and clocks: that something happens in time."""

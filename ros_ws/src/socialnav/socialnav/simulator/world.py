@@ -1,0 +1,189 @@
+"""The simulated world behind the topics: case after case, on one clock, in either mode of time."""
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from socialnav.messages.conversions import rotate
+from socialnav_core.config import Scenario
+from socialnav_core.simulation import Outcome, Simulator
+
+BREAK = 10**9
+"""Simulated time between two episodes, ns: longer than any step, so that a listener sees it."""
+TIME_TOLERANCE = 1e-9
+OUTCOMES = {
+    Outcome.GOAL: 'goal',
+    Outcome.COLLISION_PEDESTRIAN: 'collision',
+    Outcome.COLLISION_OBSTACLE: 'collision',
+    Outcome.OUT_OF_BOUNDS: 'out_of_bounds',
+    Outcome.TIMEOUT: 'timeout',
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class Episode:
+    """How an episode ended; the fields of EpisodeResult but for the header."""
+
+    scenario: str
+    """Name of the world."""
+    seed: int
+    """Seed of the cases."""
+    case_index: int
+    """Which case it was."""
+    outcome: str
+    """goal, collision, out_of_bounds or timeout."""
+    time: float
+    """Duration, s."""
+    path_length: float
+    """Way that the robot went, m."""
+    minimum_clearance: float
+    """Least gap to any agent, m; inf where there was none."""
+    steps: int
+    """Number of steps of the simulation."""
+
+
+class World:
+    """
+    One world that runs the test cases of a seed.
+
+    The state in which an episode ends stays for one advance, so that everybody sees it; the next
+    advance begins the following case. `episode` tells how it ended, None until then; `fresh` is
+    whether the state is the first of its episode.
+    """
+
+    def __init__(self, scenario: Scenario, seed: int, episodes: int, clock: int) -> None:
+        """
+        Begin case 0.
+
+        :param scenario: what the world is like.
+        :param seed: of the cases.
+        :param episodes: number of episodes until the world stands; 0 for no end.
+        :param clock: simulated time at the start, ns.
+        """
+        self.clock = clock
+        self.fresh = True
+        self.episode: Episode | None = None
+        self.paused = False
+        self.command_timeout = np.inf
+        self._episodes = episodes
+        self.begin(scenario, seed, 0)
+
+    def begin(self, scenario: Scenario, seed: int, case_index: int) -> None:
+        """
+        Begin a case, whatever goes on; count the episodes from here.
+
+        :param scenario: what the world is like.
+        :param seed: of the cases.
+        :param case_index: which of them.
+        :raises ConfigError: agents that do not fit into the world; the present case goes on.
+        """
+        simulator = Simulator(scenario, batch_size=1, autoreset='disabled')
+        simulator.reset(seed=seed, split='test', cases=[case_index])
+        self.scenario, self.seed, self._simulator = scenario, seed, simulator
+        self._finished = 0
+        self._start(case_index)
+
+    @property
+    def done(self) -> bool:
+        """Return whether all episodes have been run."""
+        return 0 < self._episodes <= self._finished
+
+    @property
+    def standing(self) -> bool:
+        """Return whether time stands still."""
+        return self.paused or self.done
+
+    def set_goal(self, goal: np.ndarray) -> None:
+        """
+        Send the robot elsewhere.
+
+        :param goal: m, (2,).
+        """
+        self._simulator.set_goal(0, goal)
+        self.state = self._simulator.state
+
+    def drive(self, command: np.ndarray) -> None:
+        """
+        Take a command for the robot, valid until the next or until it is too old.
+
+        :param command: (vx, vy) in base_link or speed and turn rate, (2,).
+        """
+        self._command, self._command_clock = command, self.clock
+
+    def answer(self, command: np.ndarray, stamp: int) -> bool:
+        """
+        Advance one step if a command answers the present state; return whether it did.
+
+        :param command: (vx, vy) in base_link or speed and turn rate, (2,).
+        :param stamp: time of the state that it answers, ns.
+        """
+        if self.standing or stamp != self.clock:
+            return False
+        self.drive(command)
+        self.advance(self.scenario.time_step)
+        return True
+
+    def advance(self, duration: float) -> None:
+        """
+        Let time pass; after the end of an episode, begin the next instead.
+
+        :param duration: simulated time, s; an episode may end before it is over.
+        """
+        if self.standing:
+            return
+        if self.episode is not None:
+            self._start(self.episode.case_index + 1)
+            return
+        while duration > TIME_TOLERANCE and self.episode is None:
+            piece = min(duration, self._until_decision())
+            self._step(piece)
+            duration -= piece
+
+    def _until_decision(self) -> float:
+        """Return the time until pedestrians decide again, s."""
+        step = self.scenario.time_step
+        left = step - float(self.state.time[0]) % step
+        return left if left > TIME_TOLERANCE else step
+
+    def _step(self, duration: float) -> None:
+        """Advance the simulator by a time without a decision of pedestrians inside."""
+        command = self._world_command()
+        self.turn_rate = float(command[1]) if self.scenario.kinematics == 'differential' else 0.0
+        self.state, _, terminated, truncated, info = self._simulator.advance(
+            command[None], duration
+        )
+        self.fresh = False
+        self.clock += round(duration * 1e9)
+        if terminated[0] or truncated[0]:
+            self.episode = self._ended(info)
+            self._finished += 1
+
+    def _world_command(self) -> np.ndarray:
+        """Return the command in the simulator's terms: zero when it is too old."""
+        if (self.clock - self._command_clock) * 1e-9 > self.command_timeout:
+            return np.zeros(2)
+        if self.scenario.kinematics == 'differential':
+            return self._command
+        return rotate(self._command, float(self.state.robot_heading[0]))
+
+    def _ended(self, info: dict[str, Any]) -> Episode:
+        """Return the record of the episode that the latest step ended."""
+        return Episode(
+            scenario=self.scenario.name,
+            seed=self.seed,
+            case_index=int(info['case_index'][0]),
+            outcome=OUTCOMES[Outcome(int(info['outcome'][0]))],
+            time=float(info['time'][0]),
+            path_length=float(info['path_length'][0]),
+            minimum_clearance=float(info['minimum_clearance'][0]),
+            steps=int(info['steps'][0]),
+        )
+
+    def _start(self, case_index: int) -> None:
+        """Lay out a case."""
+        self.state = self._simulator.reset(seed=self.seed, split='test', cases=[case_index])
+        self.case_index = case_index
+        self.episode, self.fresh, self.turn_rate = None, True, 0.0
+        self.clock += BREAK
+        self.drive(np.zeros(2))

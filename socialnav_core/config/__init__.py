@@ -1,0 +1,34 @@
+"""Every setting, as frozen dataclasses, and the YAML files and names that they come from."""
+
+from socialnav_core.config.mapping import ConfigError, require, require_choice
+from socialnav_core.config.policy import LOOKAHEADS, PolicyConfig, ScreeningConfig
+from socialnav_core.config.reading import read_config
+from socialnav_core.config.scenario import KINEMATICS, OrcaConfig, RewardConfig, Scenario
+from socialnav_core.config.scenarios import make_scenario, resolve_scenario, SCENARIOS
+from socialnav_core.config.training import (
+    Config,
+    CurriculumConfig,
+    ImitationConfig,
+    TrainingConfig,
+)
+
+__all__ = [
+    'Config',
+    'ConfigError',
+    'CurriculumConfig',
+    'ImitationConfig',
+    'KINEMATICS',
+    'LOOKAHEADS',
+    'OrcaConfig',
+    'PolicyConfig',
+    'RewardConfig',
+    'SCENARIOS',
+    'Scenario',
+    'ScreeningConfig',
+    'TrainingConfig',
+    'make_scenario',
+    'read_config',
+    'require',
+    'require_choice',
+    'resolve_scenario',
+]

@@ -1,0 +1,88 @@
+"""A training configuration, from a YAML file and changes to it."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from socialnav_core.config.mapping import ConfigError, from_mapping, read_yaml, to_mapping
+from socialnav_core.config.scenarios import resolve_scenario
+from socialnav_core.config.training import Config
+
+RECIPES = Path(__file__).parent / 'recipes'
+SHARED = ('kinematics', 'time_step', 'goal_tolerance', 'reward')
+
+
+def read_config(source: str | Path, assignments: Mapping[str, Any] | None = None) -> Config:
+    """
+    Return a complete configuration.
+
+    The scenario is a name, or a mapping with a name and the settings that differ from it. What
+    scenario and policy share (time step, reward, ...) is taken from the scenario.
+
+    :param source: a YAML file, or the name of one that comes with the package, such as sarl.
+    :param assignments: dotted settings and their values, such as {'training.worlds': 64}.
+    :raises ConfigError: when the file or a setting does not exist or makes no sense.
+    """
+    path = find_config(source)
+    values: dict[str, Any] = {'name': path.stem} | read_yaml(path)
+    for key, value in (assignments or {}).items():
+        assign_nested(values, key, value)
+    if 'scenario' not in values:
+        raise ConfigError(f'{path} names no scenario; add a line such as scenario: simple')
+    scenario = resolve_scenario(values['scenario'])
+    policy = values.get('policy') or {}
+    values |= {'scenario': scenario, 'policy': with_shared(policy, to_mapping(scenario))}
+    return from_mapping(Config, values)
+
+
+def find_config(source: str | Path) -> Path:
+    """
+    Return the file of a configuration.
+
+    :param source: a path, or the name of a file of the package without its ending.
+    :raises ConfigError: when there is neither.
+    """
+    path, packaged = Path(source), RECIPES / f'{source}.yaml'
+    if path.is_file():
+        return path
+    if packaged.is_file():
+        return packaged
+    names = ', '.join(sorted(each.stem for each in RECIPES.glob('*.yaml')))
+    raise ConfigError(f'{source} is neither a file nor one of the configurations {names}')
+
+
+def assign_nested(values: dict[str, Any], key: str, value: Any) -> None:
+    """
+    Set a nested value in place; sections that are missing are made.
+
+    :param values: nested mappings as read from YAML; a scenario may be just its name.
+    :param key: dotted name.
+    :param value: what it becomes.
+    """
+    *sections, last = key.split('.')
+    for section in sections:
+        inner = values.get(section)
+        if section == 'scenario' and isinstance(inner, str):
+            inner = {'name': inner}
+        values[section] = dict(inner) if isinstance(inner, Mapping) else {}
+        values = values[section]
+    values[last] = value
+
+
+def with_shared(policy: Mapping[str, Any], scenario: Mapping[str, Any]) -> dict[str, Any]:
+    """
+    Return the settings of a policy, completed by those that it has from the scenario.
+
+    :param policy: settings of the policy.
+    :param scenario: all settings of the scenario.
+    :raises ConfigError: when the policy has another value than the scenario.
+    """
+    if not isinstance(policy, Mapping):
+        raise ConfigError(f'policy must be a mapping, not {policy!r}')
+    for name in SHARED:
+        if name in policy and policy[name] != scenario[name]:
+            raise ConfigError(
+                f'policy.{name} is {policy[name]!r} but scenario.{name} is {scenario[name]!r}; '
+                'set it in the scenario alone'
+            )
+    return dict(policy) | {name: scenario[name] for name in SHARED}

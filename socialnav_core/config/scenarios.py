@@ -1,0 +1,106 @@
+"""The named scenarios: families of worlds, by name."""
+
+from collections.abc import Mapping
+import dataclasses
+import difflib
+import math
+import re
+from typing import Any
+
+from socialnav_core.config.mapping import ConfigError, flatten, replace
+from socialnav_core.config.scenario import OrcaConfig, RewardConfig, Scenario
+
+CURRICULUM_RADIUS = (0.3, 2.5)
+
+_LARGE_WORLD = {
+    'spawn_half_width': 7.5, 'bounds': 10.0, 'minimum_travel': 10.0, 'obstacles': 10,
+    'hardest_obstacle_ratio': 0.2,
+}  # fmt: skip
+
+_FIXED = {
+    'simple': Scenario('simple'),
+    'hard': Scenario('hard', obstacle_radius_min=0.5, obstacle_radius_max=1.5),
+    'simple10': Scenario('simple10', obstacles=10),
+    'crowd20': Scenario('crowd20', pedestrians=20, obstacles=0),
+    'circle': Scenario(
+        'circle',
+        obstacles=0,
+        layout='circle_crossing',
+        bounds=math.inf,
+        renew_goals=False,
+        orca=OrcaConfig(static_responsibility=1.0),
+        reward=RewardConfig(walls_discomfort=False),
+    ),
+}
+
+SCENARIOS = {
+    'simple': '5 pedestrians and 5 obstacles of radius 0.3 m',
+    'hard': '5 pedestrians and 5 obstacles of radius 0.5 to 1.5 m',
+    'simple10': '5 pedestrians and 10 obstacles of radius 0.3 m',
+    'crowd20': '20 pedestrians, no obstacles',
+    'curriculum-R': '5 pedestrians and 10 obstacles up to radius R (0.3 to 2.5 m), 20 m world',
+    'packed-R': 'the same as curriculum-R in a 15 m world',
+    'circle': '5 pedestrians cross a circle of radius 4 m, no obstacles, no walls',
+}
+"""Names of the scenarios and what they are; R stands for a number."""
+
+
+def make_scenario(name: str) -> Scenario:
+    """
+    Return the scenario of a name.
+
+    :param name: a key of SCENARIOS, with a number for R, such as curriculum-1.5.
+    :raises ConfigError: when there is none.
+    """
+    if name in _FIXED:
+        return _FIXED[name]
+    family, _, text = name.partition('-')
+    if family in ('curriculum', 'packed') and re.fullmatch(r'\d+(\.\d+)?', text):
+        return growing_scenario(family, float(text))
+    nearest = difflib.get_close_matches(name, SCENARIOS, n=1, cutoff=0.4)
+    hint = f'did you mean {nearest[0]}? ' if nearest else ''
+    raise ConfigError(f'unknown scenario {name!r}; {hint}there are: {", ".join(SCENARIOS)}')
+
+
+def growing_scenario(family: str, radius: float) -> Scenario:
+    """
+    Return the world of a level of the curriculum.
+
+    :param family: curriculum (larger world) or packed.
+    :param radius: largest obstacle radius, m.
+    :raises ConfigError: for a radius outside of CURRICULUM_RADIUS.
+    """
+    low, high = CURRICULUM_RADIUS
+    if not low <= radius <= high:
+        raise ConfigError(f'{family}-R takes R from {low} to {high} m, not {radius:g}')
+    world: dict[str, Any] = {'obstacles': 10, 'hardest_obstacle_ratio': 0.2}
+    if family == 'curriculum':
+        world = _LARGE_WORLD
+    return Scenario(f'{family}-{radius:g}', obstacle_radius_max=radius, **world)
+
+
+def resolve_scenario(value: str | Mapping[str, Any]) -> Scenario:
+    """
+    Return the scenario of a name, or of a mapping with a name and settings that differ.
+
+    :param value: as found in a YAML file, such as {'name': 'hard', 'time_limit': 35}.
+    :raises ConfigError: for an unknown name or setting.
+    """
+    if isinstance(value, str):
+        return make_scenario(value)
+    if not isinstance(value, Mapping) or not isinstance(value.get('name'), str):
+        raise ConfigError('scenario must be a name or a mapping with a name')
+    settings = {key: setting for key, setting in value.items() if key != 'name'}
+    return replace(make_scenario(value['name']), flatten(settings), 'scenario')
+
+
+def with_obstacle_radius(scenario: Scenario, radius: float) -> Scenario:
+    """
+    Return the scenario with another largest obstacle radius, named after it where it is a level.
+
+    :param scenario: any scenario.
+    :param radius: largest obstacle radius, m.
+    """
+    family, dash, _ = scenario.name.partition('-')
+    name = f'{family}-{radius:g}' if dash else scenario.name
+    return dataclasses.replace(scenario, name=name, obstacle_radius_max=radius)

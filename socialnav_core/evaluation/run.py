@@ -1,0 +1,159 @@
+"""Run a policy on given cases, each exactly once, and measure it."""
+
+from collections.abc import Callable
+import dataclasses
+import time
+from typing import Any
+
+import numpy as np
+
+from socialnav_core.config import require, Scenario
+from socialnav_core.evaluation.metrics import (
+    case_mappings,
+    empty_records,
+    EpisodeRecords,
+    INTRUSION_DISTANCE,
+    summarise,
+)
+from socialnav_core.evaluation.statistics import wilson_interval
+from socialnav_core.policies.protocol import attach_oracle, require_same_kinematics
+from socialnav_core.simulation import Simulator
+from socialnav_core.states import CrowdState
+
+BATCH_SIZE = 128
+"""Worlds that are run side by side; the results do not depend on it."""
+
+
+@dataclasses.dataclass(frozen=True)
+class EvaluationResult:
+    """What a policy did in the cases 0 to episodes - 1 of a scenario."""
+
+    model: str
+    """Name of the policy."""
+    scenario: str
+    """Name of the scenario."""
+    seed: int
+    """Seed of the cases."""
+    split: str
+    """Split of the cases."""
+    lookahead: str | None
+    """Prediction of the pedestrians; None for a policy that does not look ahead."""
+    screening: bool
+    """Whether actions were screened."""
+    records: EpisodeRecords
+    """How each episode went."""
+    decision_seconds: float
+    """Time spent in the policy, s."""
+
+    @property
+    def episodes(self) -> int:
+        """Return the number of cases."""
+        return len(self.records.case_index)
+
+    @property
+    def decisions_per_second(self) -> float:
+        """Return decisions made per second spent in the policy."""
+        return float(self.records.steps.sum() / self.decision_seconds)
+
+    @property
+    def success_rate(self) -> float:
+        """Return the share of the cases in which the robot reached its goal."""
+        return float(self.records.success.mean())
+
+    @property
+    def success_interval(self) -> tuple[float, float]:
+        """Return Wilson's 95 % interval of the success rate."""
+        return wilson_interval(int(self.records.success.sum()), self.episodes)
+
+    def summary(self) -> dict[str, float | None]:
+        """Return rates and means by name."""
+        return summarise(self.records)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return everything as plain values, fit for JSON."""
+        named = ('model', 'scenario', 'seed', 'split', 'episodes', 'lookahead', 'screening')
+        return {
+            **{name: getattr(self, name) for name in named},
+            'success_interval': list(self.success_interval),
+            **self.summary(),
+            'decisions_per_second': self.decisions_per_second,
+            'cases': case_mappings(self.records),
+        }
+
+
+def evaluate(
+    policy: Any,
+    scenario: Scenario,
+    episodes: int = 500,
+    seed: int = 0,
+    split: str = 'test',
+    batch_size: int = BATCH_SIZE,
+    name: str = '',
+    progress: Callable[[int], None] | None = None,
+) -> EvaluationResult:
+    """
+    Run the cases 0 to episodes - 1, each exactly once.
+
+    :param policy: a Policy.
+    :param scenario: the world.
+    :param episodes: number of cases, at least 1.
+    :param seed: seed of the cases.
+    :param split: train, validation or test.
+    :param batch_size: worlds that are run side by side.
+    :param name: name of the policy in the result.
+    :param progress: called with the number of episodes that have just ended.
+    :raises ConfigError: when the policy drives another kind of robot, or for no episodes.
+    """
+    require(episodes >= 1, f'the number of episodes must be at least 1, not {episodes}')
+    require_same_kinematics(policy, scenario)
+    records = empty_records(np.arange(episodes))
+    simulator = Simulator(scenario, min(batch_size, episodes))
+    state = simulator.reset(seed=seed, split=split, cases=records.case_index)
+    policy.reset()
+    attach_oracle(policy, lambda: simulator.next_agent_velocities()[simulator.active])
+    intrusions = np.zeros(simulator.batch_size, np.int64)  # of the running episodes
+    seconds = 0.0
+    while (active := simulator.active).any():
+        started = time.perf_counter()
+        command = commands_where_active(policy, state, active)
+        seconds += time.perf_counter() - started
+        state, _, terminated, truncated, info = simulator.step(command)
+        intrusions += active & (info['pedestrian_clearance'] < INTRUSION_DISTANCE)
+        ended = np.flatnonzero(terminated | truncated)
+        _keep(records, ended, info | {'intrusions': intrusions})
+        intrusions[ended] = 0
+        if progress is not None and len(ended):
+            progress(len(ended))
+    config = getattr(policy, 'config', None)
+    return EvaluationResult(
+        model=name,
+        scenario=scenario.name,
+        seed=seed,
+        split=split,
+        lookahead=config.lookahead if config else None,
+        screening=config.screening.enabled if config else False,
+        records=records,
+        decision_seconds=seconds,
+    )
+
+
+def commands_where_active(policy: Any, state: CrowdState, active: np.ndarray) -> np.ndarray:
+    """
+    Return the commands of a policy, zero in idle worlds, about which it is not asked, (batch, 2).
+
+    :param policy: a Policy.
+    :param state: all worlds.
+    :param active: which of them run, bool (batch,).
+    """
+    if active.all():
+        return policy.act(state)
+    commands = np.zeros((len(active), 2))
+    commands[active] = policy.act(state.select(active))
+    return commands
+
+
+def _keep(records: EpisodeRecords, worlds: np.ndarray, info: dict[str, np.ndarray]) -> None:
+    """Write the episodes that ended in some worlds into the records, where case i is row i."""
+    cases = info['case_index'][worlds]
+    for field in dataclasses.fields(EpisodeRecords):
+        getattr(records, field.name)[cases] = info[field.name][worlds]

@@ -1,0 +1,1 @@
+"""Value networks, and the one-step look-ahead that drives by them."""

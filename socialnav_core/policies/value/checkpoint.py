@@ -1,0 +1,175 @@
+"""A checkpoint on disk: weights in safetensors, the resolved config beside them."""
+
+from collections.abc import Iterator
+import contextlib
+import hashlib
+import os
+from pathlib import Path
+
+from safetensors import safe_open, SafetensorError
+from safetensors.torch import save
+import torch
+from torch import nn
+
+from socialnav_core.config import Config, ConfigError, PolicyConfig
+from socialnav_core.config.mapping import from_mapping, read_yaml, to_yaml
+from socialnav_core.policies.value.gat4sn import Gat4snValueNetwork
+from socialnav_core.policies.value.sarl import SarlValueNetwork
+
+WEIGHTS = 'weights.safetensors'
+CONFIG = 'config.yaml'
+ATTENTION_SCORES = {'gat4sn': 'gat', 'gat4sn_linear': 'linear', 'gat4sn_v2': 'gatv2'}
+
+
+class CheckpointError(ValueError):
+    """A checkpoint that is missing, damaged or of something else."""
+
+
+def build_network(config: PolicyConfig) -> nn.Module:
+    """
+    Return the value network of a policy with fresh weights, drawn from torch's global generator.
+
+    :param config: names the network.
+    """
+    if config.network == 'sarl':
+        return SarlValueNetwork()
+    return Gat4snValueNetwork(config.heads, ATTENTION_SCORES[config.network])
+
+
+def save_weights(folder: Path, network: nn.Module, config: Config) -> None:
+    """
+    Write weights and config; each file is replaced at once or not at all.
+
+    :param folder: made if needed.
+    :param network: whose parameters are written.
+    :param config: complete settings of the run.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    text = to_yaml(config).encode()
+    tensors = {
+        name: value.detach().cpu().contiguous() for name, value in network.state_dict().items()
+    }
+    metadata = {
+        'digest': tensors_digest(tensors),
+        'config_digest': hashlib.sha256(text).hexdigest(),
+    }
+    atomic_write(folder / CONFIG, text)
+    atomic_write(folder / WEIGHTS, save(tensors, metadata))
+
+
+def load_checkpoint(folder: Path) -> tuple[nn.Module, Config]:
+    """
+    Return the network, in evaluation mode on the CPU, and the config of a checkpoint.
+
+    :param folder: of the checkpoint.
+    :raises CheckpointError: when a file is missing, damaged, altered or does not fit the config.
+    """
+    if not folder.is_dir():
+        raise CheckpointError(f'no checkpoint folder {folder}')
+    tensors, metadata = read_tensors(folder / WEIGHTS)
+    config = read_config(folder / CONFIG, metadata)
+    if metadata.get('digest') != tensors_digest(tensors):
+        raise CheckpointError(f'{folder / WEIGHTS} is altered: its digest does not match')
+    network = build_network(config.policy)
+    expected = {name: value.shape for name, value in network.state_dict().items()}
+    found = {name: value.shape for name, value in tensors.items()}
+    if expected != found:
+        differing = sorted(
+            name for name in expected.keys() | found if expected.get(name) != found.get(name)
+        )
+        raise CheckpointError(
+            f'{folder / WEIGHTS} does not hold the network {config.policy.network} that '
+            f'{CONFIG} names: {differing[0]} is missing, unknown or of another shape'
+        )
+    if not all(torch.isfinite(value).all() for value in tensors.values()):
+        raise CheckpointError(f'{folder / WEIGHTS} holds values that are not finite')
+    network.load_state_dict(tensors)
+    return network.eval(), config
+
+
+def read_config(path: Path, metadata: dict[str, str]) -> Config:
+    """
+    Return the config of a checkpoint, unaltered since the weights were written.
+
+    :param path: of the YAML file.
+    :param metadata: of the weights.
+    :raises CheckpointError: when it is missing, altered or holds no config.
+    """
+    try:
+        text = path.read_bytes()
+        config = from_mapping(Config, read_yaml(path))
+    except (OSError, ConfigError) as error:
+        raise CheckpointError(f'{path} is not the config of a checkpoint: {error}') from error
+    if metadata.get('config_digest') != hashlib.sha256(text).hexdigest():
+        raise CheckpointError(
+            f'{path} is altered: it is not the one that the weights were saved with'
+        )
+    return config
+
+
+def read_tensors(path: Path) -> tuple[dict[str, torch.Tensor], dict[str, str]]:
+    """
+    Return the tensors and the metadata of a safetensors file.
+
+    :param path: of the file.
+    :raises CheckpointError: when it is missing or no complete safetensors file.
+    """
+    try:
+        with safe_open(path, framework='pt') as file:
+            names = file.keys()  # the file itself cannot be iterated over
+            tensors = {name: file.get_tensor(name) for name in names}
+            return tensors, file.metadata() or {}
+    except (OSError, SafetensorError) as error:
+        raise CheckpointError(f'{path} cannot be read as weights: {error}') from error
+
+
+def checkpoint_digest(folder: Path) -> str:
+    """
+    Return the digest of the weights of a checkpoint, hexadecimal.
+
+    :param folder: of the checkpoint.
+    :raises CheckpointError: when the weights cannot be read.
+    """
+    return tensors_digest(read_tensors(folder / WEIGHTS)[0])
+
+
+def tensors_digest(tensors: dict[str, torch.Tensor]) -> str:
+    """
+    Return the SHA-256 of names, types, shapes and values, hexadecimal.
+
+    :param tensors: by name.
+    """
+    digest = hashlib.sha256()
+    for name in sorted(tensors):
+        value = tensors[name]
+        digest.update(f'{name} {value.dtype} {tuple(value.shape)}'.encode())
+        digest.update(value.contiguous().view(torch.uint8).numpy().tobytes())
+    return digest.hexdigest()
+
+
+def atomic_write(path: Path, data: bytes) -> None:
+    """
+    Write a file so that a reader, or a crash, sees the old content or the new, never a part.
+
+    :param path: of the file; its folder exists.
+    :param data: the new content.
+    """
+    with written_whole(path) as temporary, temporary.open('wb') as file:
+        file.write(data)
+        file.flush()
+        os.fsync(file.fileno())
+
+
+@contextlib.contextmanager
+def written_whole(path: Path) -> Iterator[Path]:
+    """
+    Give a file to write to that takes the place of another when it is complete, else is removed.
+
+    :param path: of the file that is replaced; its folder exists.
+    """
+    temporary = path.with_name(f'.{path.stem}.{os.getpid()}{path.suffix}')
+    try:
+        yield temporary
+        temporary.replace(path)
+    finally:
+        temporary.unlink(missing_ok=True)

@@ -1,0 +1,1 @@
+"""Where people will be: one protocol, and its members."""

@@ -1,0 +1,166 @@
+"""The state of a run in one file, from which it goes on as if it had never stopped."""
+
+from collections.abc import Mapping
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from safetensors import safe_open, SafetensorError
+from safetensors.numpy import save
+import torch
+
+from socialnav_core.config import Config, ConfigError, require
+from socialnav_core.config.mapping import flatten, from_mapping, to_mapping
+from socialnav_core.policies.value.checkpoint import atomic_write, CheckpointError
+
+STATE_NAME = 'training_state.safetensors'
+FORMAT = 'socialnav training state 1'
+
+Arrays = dict[str, np.ndarray]
+
+
+def save_state(folder: Path, sections: Mapping[str, Arrays], config: Config) -> None:
+    """
+    Write the state of a run; whenever the process dies, the file is the old one or the new one.
+
+    :param folder: of the run.
+    :param sections: arrays of each part of the run.
+    :param config: of the run.
+    :raises CheckpointError: when it cannot be written; the file then is the old one.
+    """
+    arrays = {
+        f'{section}/{name}': np.asarray(array, order='C')
+        for section, part in sections.items()
+        for name, array in part.items()
+    }
+    metadata = {
+        'format': FORMAT,
+        'config': json.dumps(to_mapping(config)),
+        'threads': str(torch.get_num_threads()),
+        'digest': digest(arrays),
+    }
+    path = folder / STATE_NAME
+    try:
+        atomic_write(path, save(arrays, metadata))
+    except OSError as error:
+        raise CheckpointError(
+            f'{path} cannot be written ({error.strerror}); what was saved last is still there: '
+            'make room and go on with --resume'
+        ) from error
+
+
+def load_state(folder: Path, config: Config) -> dict[str, Arrays]:
+    """
+    Return the arrays of each part of a run.
+
+    :param folder: of the run.
+    :param config: must be the one that the run was started with.
+    :raises ConfigError: when there is nothing to resume or a setting differs.
+    :raises CheckpointError: when the file is damaged.
+    """
+    path = folder / STATE_NAME
+    if not path.is_file():
+        raise ConfigError(
+            f'{folder} holds no unfinished run ({STATE_NAME}); leave --resume out, or start again '
+            'with --overwrite'
+        )
+    try:
+        with safe_open(path, 'numpy') as file:
+            metadata = file.metadata() or {}
+            names = file.keys()
+            arrays = {name: file.get_tensor(name) for name in names}
+    except (OSError, SafetensorError) as error:
+        raise CheckpointError(f'{path} is damaged ({error}); start again') from error
+    if metadata.get('format') != FORMAT or metadata.get('digest') != digest(arrays):
+        raise CheckpointError(f'{path} is damaged or of another version; start again')
+    saved = from_mapping(Config, json.loads(metadata['config']))  # settings it lacks: defaults
+    require_same(to_mapping(saved), to_mapping(config))
+    require(
+        metadata['threads'] == str(torch.get_num_threads()),
+        f'the run was started with {metadata["threads"]} processor threads, not '
+        f'{torch.get_num_threads()}; resume it with as many',
+    )
+    sections: dict[str, Arrays] = {}
+    for name, array in arrays.items():
+        section, _, key = name.partition('/')
+        sections.setdefault(section, {})[key] = array
+    return sections
+
+
+def require_same(saved: Mapping[str, Any], given: Mapping[str, Any]) -> None:
+    """
+    Raise a ConfigError that names the first setting in which two configurations differ.
+
+    :param saved: of the run.
+    :param given: of the one who resumes it.
+    """
+    old, new = flatten(saved), flatten(given)
+    for name in sorted(old.keys() | new.keys()):
+        if old.get(name) != new.get(name):
+            raise ConfigError(
+                f'the run was started with {name} = {old.get(name)!r}, not {new.get(name)!r}; '
+                'resume it with its own config.yaml or start another with another --out'
+            )
+
+
+def digest(arrays: Arrays) -> str:
+    """
+    Return the SHA-256 of arrays and their names.
+
+    :param arrays: by name.
+    """
+    checksum = hashlib.sha256()
+    for name in sorted(arrays):
+        checksum.update(name.encode())
+        checksum.update(arrays[name].tobytes())
+    return checksum.hexdigest()
+
+
+def network_arrays(network: torch.nn.Module) -> Arrays:
+    """
+    Return the parameters by name.
+
+    :param network: any module.
+    """
+    return {name: tensor.cpu().numpy() for name, tensor in network.state_dict().items()}
+
+
+def restore_network(network: torch.nn.Module, arrays: Arrays) -> None:
+    """
+    Set the parameters in place.
+
+    :param network: any module.
+    :param arrays: from network_arrays of a module of the same kind.
+    """
+    network.load_state_dict({name: torch.from_numpy(array) for name, array in arrays.items()})
+
+
+def optimizer_arrays(optimizer: torch.optim.Optimizer) -> Arrays:
+    """
+    Return what the optimizer remembers of each parameter: moments or momentum.
+
+    :param optimizer: before its first step it remembers nothing.
+    """
+    return {
+        f'{index}/{name}': tensor.cpu().numpy()
+        for index, moments in optimizer.state_dict()['state'].items()
+        for name, tensor in moments.items()
+        if tensor is not None
+    }
+
+
+def restore_optimizer(optimizer: torch.optim.Optimizer, arrays: Arrays) -> None:
+    """
+    Set what the optimizer remembers, in place.
+
+    :param optimizer: of parameters of the same shapes.
+    :param arrays: from optimizer_arrays.
+    """
+    state: dict[int, dict[str, torch.Tensor]] = {}
+    for key, array in arrays.items():
+        index, _, name = key.partition('/')
+        state.setdefault(int(index), {})[name] = torch.from_numpy(array)
+    groups = optimizer.state_dict()['param_groups']
+    optimizer.load_state_dict({'state': state, 'param_groups': groups})

@@ -1,0 +1,117 @@
+"""Laws of choosing within what the robot can do."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+import torch
+
+from socialnav_core.config import PolicyConfig, ScreeningConfig
+from socialnav_core.policies import build_network, ValuePolicy
+from socialnav_core.policies.value.screening import safe_actions
+from socialnav_core.simulation import make_scenario, Simulator
+from socialnav_core.simulation.kinematics import action_set
+from socialnav_core.simulation.limits import Limits, present_command, reachable
+
+NONE = Limits(1.0, math.inf, math.inf, 0.1)
+TIGHT = Limits(0.8, 1.0, 1.0, 0.1)
+KINEMATICS = ['holonomic', 'differential']
+
+
+def policy_of(kinematics='holonomic', screened=True):
+    torch.manual_seed(1)
+    config = PolicyConfig(kinematics=kinematics, screening=ScreeningConfig(enabled=screened))
+    return ValuePolicy(build_network(config), config)
+
+
+def states_of(kinematics='holonomic', worlds=4, steps=4):
+    """Return some worlds, under way, with robots at different speeds."""
+    scenario = dataclasses.replace(make_scenario('hard'), kinematics=kinematics)
+    simulator = Simulator(scenario, worlds)
+    state = simulator.reset(seed=1, split='train')
+    policy = policy_of(kinematics, screened=False)
+    for _ in range(steps):
+        yield state
+        state = simulator.step(policy.act(state))[0]
+
+
+@pytest.mark.parametrize('kinematics', KINEMATICS)
+def test_without_limits_that_count_every_decision_is_the_same(kinematics):
+    free, limited = policy_of(kinematics), policy_of(kinematics)
+    limited.limits = NONE
+    for state in states_of(kinematics):
+        one, other = free.decide(state), limited.decide(state)
+        np.testing.assert_array_equal(one.commands, other.commands)
+        np.testing.assert_array_equal(one.values, other.values)
+
+
+@pytest.mark.parametrize('kinematics', KINEMATICS)
+def test_every_candidate_is_within_the_limits(kinematics):
+    policy = policy_of(kinematics)
+    policy.limits = TIGHT
+    for state in states_of(kinematics):
+        # slower than the limit, since acceleration counts less than speed
+        state = dataclasses.replace(state, robot_velocity=0.7 * state.robot_velocity)
+        commands = policy.decide(state).commands
+        present = present_command(kinematics, state)[:, None]
+        change = commands - present
+        if kinematics == 'holonomic':
+            assert np.linalg.norm(commands, axis=-1).max() <= 0.8 + 1e-6
+            assert np.linalg.norm(change, axis=-1).max() <= 0.1 + 1e-6
+        else:
+            assert np.abs(commands[..., 0]).max() <= 0.8 + 1e-6
+            assert np.abs(commands[..., 1]).max() <= 1.0 and np.abs(change[..., 0]).max() <= 0.1001
+
+
+@pytest.mark.parametrize('kinematics', KINEMATICS)
+def test_what_is_reachable_is_left_as_it_is(kinematics):
+    policy = policy_of(kinematics)
+    policy.limits = TIGHT
+    for state in states_of(kinematics):
+        present = present_command(kinematics, state)
+        command = policy.act(state)
+        again = reachable(kinematics, command, present, TIGHT, TIGHT.period)
+        np.testing.assert_allclose(again, command, rtol=0, atol=1e-12)
+
+
+def test_a_speed_limit_counts_more_than_the_acceleration():
+    fast = np.array([[2.0, 0.0]])
+    np.testing.assert_allclose(reachable('holonomic', fast, fast, TIGHT, 0.1), [[0.8, 0.0]])
+
+
+def facing_an_obstacle(distance, speed):
+    """Return a robot that drives east at an obstacle."""
+    state = next(states_of(worlds=1))
+    agents = {'position': np.array([[[distance, 0.0]]]), 'velocity': np.zeros((1, 1, 2))}
+    return dataclasses.replace(
+        state, **agents, robot_position=np.zeros((1, 2)), radius=np.full((1, 1), 0.3),
+        robot_velocity=np.array([[speed, 0.0]]), robot_goal=np.array([[9.0, 0.0]]),
+        static=np.ones((1, 1), bool), valid=np.ones((1, 1), bool), bounds=np.array([np.inf]),
+    )  # fmt: skip
+
+
+def safe_from(state, limits):
+    """Return the candidates and which of them are safe."""
+    config = PolicyConfig()
+    wanted = action_set(config)[None]
+    commands = reachable('holonomic', wanted, state.robot_velocity[:, None], limits, 0.1)
+    mask = safe_actions(
+        state, commands, state.velocity, 'holonomic', config.time_step,
+        ScreeningConfig(enabled=True), limits=limits, wanted=wanted,
+    )  # fmt: skip
+    return commands[0], mask[0]
+
+
+def test_a_robot_that_brakes_slowly_must_brake_early():
+    slow = Limits(1.0, 1.0, math.inf, 0.1)
+    quick = Limits(1.0, 20.0, math.inf, 0.1)
+    state = facing_an_obstacle(1.35, 0.9)
+    for limits, may_hurry in ((quick, True), (slow, False)):
+        commands, mask = safe_from(state, limits)
+        assert mask.any() and (commands[mask, 0].max() > 0.9) == may_hurry
+
+
+def test_far_away_a_robot_that_brakes_slowly_may_hurry():
+    commands, mask = safe_from(facing_an_obstacle(4.0, 0.9), Limits(1.0, 1.0, math.inf, 0.1))
+    assert commands[mask, 0].max() > 0.99
