@@ -1,8 +1,66 @@
 """The data that every part shares: the world as it is, and what a network sees of it."""
 
+from collections.abc import Callable
 import dataclasses
+from typing import Any, TypeVar
 
 import numpy as np
+
+Arrays = TypeVar('Arrays', bound=Any)
+
+
+@dataclasses.dataclass
+class Agents:
+    """Pedestrians and static obstacles; one whose ``valid`` is False is padding."""
+
+    position: np.ndarray
+    """Centres, m, (batch, agents, 2)."""
+    velocity: np.ndarray
+    """Velocities, m/s, (batch, agents, 2)."""
+    radius: np.ndarray
+    """Radii, m, (batch, agents)."""
+    static: np.ndarray
+    """Whether an agent is an obstacle that never moves, bool, (batch, agents)."""
+    valid: np.ndarray
+    """Whether an agent is real, bool, (batch, agents); nothing may depend on one that is not."""
+
+    @property
+    def count(self) -> int:
+        """Return the number of agent slots of a world, padding included."""
+        return self.position.shape[1]
+
+    def append(self, others: 'Agents') -> 'Agents':
+        """Return these agents followed by others of the same worlds."""
+        return mapped(lambda *pair: np.concatenate(pair, axis=1), self, others)
+
+    def take(self, kept: np.ndarray) -> 'Agents':
+        """Return some of the agents of each world, by their indices, (batch, kept)."""
+        worlds = np.arange(len(kept))[:, None]
+        return mapped(lambda array: array[worlds, kept], self)
+
+
+@dataclasses.dataclass
+class Robot:
+    """The robot of each world."""
+
+    position: np.ndarray
+    """Centre, m, (batch, 2)."""
+    velocity: np.ndarray
+    """Velocity, m/s, (batch, 2)."""
+    heading: np.ndarray
+    """Heading, rad, counter-clockwise from the x axis, (batch,)."""
+    radius: np.ndarray
+    """Radius, m, (batch,)."""
+    preferred_speed: np.ndarray
+    """Speed that it would like to drive at, m/s, (batch,)."""
+    goal: np.ndarray
+    """Where it should arrive, m, (batch, 2)."""
+
+    def as_agents(self) -> Agents:
+        """Return the robot as others see it: one agent in each world."""
+        never = np.zeros((len(self.radius), 1), bool)
+        body = (self.position[:, None], self.velocity[:, None], self.radius[:, None])
+        return Agents(*body, never, ~never)
 
 
 @dataclasses.dataclass
@@ -10,33 +68,13 @@ class CrowdState:
     """
     A batch of worlds: one robot each, and the agents around it.
 
-    Arrays are NumPy float64 (masks bool), world frame, SI units, batch axis first. Pedestrians and
-    static obstacles are both agents. An agent whose ``valid`` is False is padding: nothing may
-    depend on its other fields.
+    Arrays are NumPy float64 (masks bool), world frame, SI units, batch axis first.
     """
 
-    robot_position: np.ndarray
-    """Robot centre, m, (batch, 2)."""
-    robot_velocity: np.ndarray
-    """Robot velocity, m/s, (batch, 2)."""
-    robot_heading: np.ndarray
-    """Robot heading, rad, counter-clockwise from the x axis, (batch,)."""
-    robot_radius: np.ndarray
-    """Robot radius, m, (batch,)."""
-    robot_preferred_speed: np.ndarray
-    """Speed the robot would like to drive at, m/s, (batch,)."""
-    robot_goal: np.ndarray
-    """Where the robot should arrive, m, (batch, 2)."""
-    position: np.ndarray
-    """Agent centres, m, (batch, agents, 2)."""
-    velocity: np.ndarray
-    """Agent velocities, m/s, (batch, agents, 2)."""
-    radius: np.ndarray
-    """Agent radii, m, (batch, agents)."""
-    static: np.ndarray
-    """Whether an agent is an obstacle that never moves, bool, (batch, agents)."""
-    valid: np.ndarray
-    """Whether an agent is real, bool, (batch, agents)."""
+    robot: Robot
+    """The robot of each world."""
+    agents: Agents
+    """Everybody and everything else, (batch, agents)."""
     bounds: np.ndarray
     """Half-width of the square around the origin not to be left, m, inf for none, (batch,)."""
     time: np.ndarray
@@ -45,35 +83,48 @@ class CrowdState:
     @property
     def batch_size(self) -> int:
         """Return the number of worlds."""
-        return self.position.shape[0]
-
-    @property
-    def agents(self) -> int:
-        """Return the number of agent slots of a world, padding included."""
-        return self.position.shape[1]
+        return self.bounds.shape[0]
 
     def copy(self) -> 'CrowdState':
         """Return a state that shares no memory with this one."""
-        return CrowdState(*[getattr(self, name).copy() for name in CROWD_STATE_FIELDS])
+        return mapped(np.copy, self)
 
     def select(self, worlds: np.ndarray) -> 'CrowdState':
-        """
-        Return the state of some worlds.
+        """Return the state of some worlds, by indices or a mask along the batch axis."""
+        return mapped(lambda array: array[worlds], self)
 
-        :param worlds: indices or a mask along the batch axis.
-        """
-        return self.map(lambda array: array[worlds])
+    def nearest(self, count: int) -> 'CrowdState':
+        """Return the state with the agents nearest to the robot alone, rim to centre, in order."""
+        if self.agents.count <= count:
+            return self
+        offset = self.agents.position - self.robot.position[:, None]
+        gap = np.hypot(offset[..., 0], offset[..., 1]) - self.agents.radius
+        gap[~self.agents.valid] = np.inf
+        kept = np.sort(np.argsort(gap, axis=1, kind='stable')[:, :count], axis=1)
+        return dataclasses.replace(self, agents=self.agents.take(kept))
 
-    def map(self, function) -> 'CrowdState':  # type: ignore[no-untyped-def]
-        """
-        Return a state with a function applied to each array.
+    def with_robot(self, **changes: np.ndarray) -> 'CrowdState':
+        """Return the state with other values of fields of the robot."""
+        return dataclasses.replace(self, robot=dataclasses.replace(self.robot, **changes))
 
-        :param function: takes and returns an array.
-        """
-        return CrowdState(*(function(getattr(self, name)) for name in CROWD_STATE_FIELDS))
+    def with_agents(self, **changes: np.ndarray) -> 'CrowdState':
+        """Return the state with other values of fields of the agents."""
+        return dataclasses.replace(self, agents=dataclasses.replace(self.agents, **changes))
 
+    def arrays(self) -> dict[str, np.ndarray]:
+        """Return all arrays by dotted names such as `robot.position`, not copied."""
+        parts = {'robot': self.robot, 'agents': self.agents}
+        nested = {
+            f'{part}.{name}': array for part in parts for name, array in vars(parts[part]).items()
+        }
+        return nested | {'bounds': self.bounds, 'time': self.time}
 
-CROWD_STATE_FIELDS = tuple(field.name for field in dataclasses.fields(CrowdState))
+    @staticmethod
+    def from_arrays(arrays: dict[str, np.ndarray]) -> 'CrowdState':
+        """Return the state whose `arrays` these are; other names are left aside."""
+        robot = Robot(*(arrays[f'robot.{field.name}'] for field in dataclasses.fields(Robot)))
+        agents = Agents(*(arrays[f'agents.{field.name}'] for field in dataclasses.fields(Agents)))
+        return CrowdState(robot, agents, arrays['bounds'], arrays['time'])
 
 
 @dataclasses.dataclass
@@ -86,3 +137,14 @@ class Observation:
     """[px, py, vx, vy, radius, distance, sum of radii] of each agent, (..., agents, 7)."""
     mask: np.ndarray
     """Whether an agent is real, bool, (..., agents)."""
+
+
+def mapped(function: Callable[..., np.ndarray], first: Arrays, *others: Arrays) -> Arrays:
+    """Return a dataclass of arrays with a function applied to each array, nested ones too."""
+
+    def of(name: str) -> Any:
+        values = [getattr(record, name) for record in (first, *others)]
+        nested = dataclasses.is_dataclass(values[0])
+        return mapped(function, *values) if nested else function(*values)
+
+    return type(first)(*(of(field.name) for field in dataclasses.fields(first)))

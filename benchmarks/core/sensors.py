@@ -33,7 +33,7 @@ from socialnav_core.sensing import (
     TrackerSettings,
 )
 from socialnav_core.simulation import make_scenario, Outcome, Simulator
-from socialnav_core.states import CrowdState
+from socialnav_core.states import Agents, CrowdState
 
 TICK = 0.05
 """Time between two detections, s."""
@@ -82,7 +82,7 @@ class Perception:
         static = np.arange(len(position)) >= len(tracks.id)
         people = np.full(len(tracks.id), self.settings.pedestrian_radius)
         radius = np.concatenate([people, radii])
-        gap = np.linalg.norm(position - state.robot_position[0], axis=1) - radius
+        gap = np.linalg.norm(position - state.robot.position[0], axis=1) - radius
         nearest = np.argsort(gap, kind='stable')[: self.settings.max_agents]
         return position[nearest], velocity[nearest], radius[nearest], static[nearest]
 
@@ -91,11 +91,11 @@ class Perception:
         ranges = self.sensors.scan(state)
         first, second = beam_angles(len(ranges))[:2]
         points = scan_returns(ranges, first, second - first, 0.0, np.inf)
-        position, surfaces = state.robot_position[0], self.settings.surfaces
+        position, surfaces = state.robot.position[0], self.settings.surfaces
         if self.settings.walls_told:
             bounds = float(state.bounds[0]) - WALL_MARGIN
             surfaces = dataclasses.replace(surfaces, bounds=bounds)
-        points = Pose(*position.tolist(), float(state.robot_heading[0])).placed(points)
+        points = Pose(*position.tolist(), float(state.robot.heading[0])).placed(points)
         people = np.full(len(self.tracks.id), self.settings.pedestrian_radius)
         return surrounding_discs(points, position, self.tracks.position, people, surfaces)
 
@@ -111,7 +111,7 @@ def known(state: CrowdState, perceptions: list[Perception], settings: Settings) 
     }
     valid = np.stack([np.arange(size) < len(world[0]) for world in worlds])
     bounds = state.bounds if settings.walls_told else np.full_like(state.bounds, np.inf)
-    return dataclasses.replace(state, valid=valid, bounds=bounds, **agents)
+    return dataclasses.replace(state, agents=Agents(**agents, valid=valid), bounds=bounds)
 
 
 def only(state: CrowdState, world: int) -> CrowdState:

@@ -44,40 +44,19 @@ class OrcaPolicy:
 
         :param state: the worlds as they are.
         """
-        preferred = with_robot(preferred_velocity(state), np.zeros_like(state.position))
+        everybody = state.robot.as_agents().append(state.agents)
+        preferred, speed = np.zeros_like(everybody.position), np.zeros_like(everybody.radius)
+        preferred[:, 0], speed[:, 0] = preferred_velocity(state), state.robot.preferred_speed
         out = np.zeros_like(preferred)
-        padding = RADIUS_PADDING + self.safety_space
         orca_step(
-            with_robot(state.robot_position, state.position),
-            with_robot(state.robot_velocity, state.velocity),
-            preferred,
-            with_robot(state.robot_radius, state.radius) + padding,
-            with_robot(state.robot_preferred_speed, np.zeros_like(state.radius)),
-            with_robot(np.ones(state.batch_size, bool), state.valid),
-            np.where(
-                with_robot(np.zeros(state.batch_size, bool), state.static),
-                self.orca.static_responsibility,
-                RECIPROCAL,
-            ),
+            everybody.position, everybody.velocity, preferred,
+            everybody.radius + (RADIUS_PADDING + self.safety_space), speed, everybody.valid,
+            np.where(everybody.static, self.orca.static_responsibility, RECIPROCAL),
             np.full(preferred.shape[:2], self.orca.neighbor_distance),
-            np.ones(state.batch_size, bool),
-            1,
-            self.orca.max_neighbors,
-            self.orca.time_horizon,
-            self.time_step,
-            out,
-        )
+            np.ones(state.batch_size, bool), 1,
+            self.orca.max_neighbors, self.orca.time_horizon, self.time_step, out,
+        )  # fmt: skip
         return out[:, 0]
 
     def reset(self) -> None:
         """Do nothing: there is no memory."""
-
-
-def with_robot(robot: np.ndarray, agents: np.ndarray) -> np.ndarray:
-    """
-    Return the robot's values followed by those of the agents, (batch, 1 + agents, ...).
-
-    :param robot: (batch, ...).
-    :param agents: (batch, agents, ...).
-    """
-    return np.concatenate([robot[:, None], agents], axis=1)

@@ -28,6 +28,6 @@ def preferred_velocity(state: CrowdState) -> np.ndarray:
 
     :param state: the worlds as they are.
     """
-    ahead = state.robot_goal - state.robot_position
+    ahead = state.robot.goal - state.robot.position
     distance = np.linalg.norm(ahead, axis=-1, keepdims=True)
-    return ahead / np.maximum(distance, 1.0) * state.robot_preferred_speed[:, None]
+    return ahead / np.maximum(distance, 1.0) * state.robot.preferred_speed[:, None]

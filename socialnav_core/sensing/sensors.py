@@ -70,8 +70,8 @@ class Sensors:
 
         :param state: the world; its first one is looked at.
         """
-        walking = np.flatnonzero(state.valid[0] & ~state.static[0])
-        position = state.position[0, walking]
+        walking = np.flatnonzero(state.agents.valid[0] & ~state.agents.static[0])
+        position = state.agents.position[0, walking]
         position = position + self.detector.noise * self._detecting.standard_normal(position.shape)
         seen = self._detecting.random(len(walking)) >= self.detector.missed
         order = self._detecting.permutation(len(walking))
@@ -82,14 +82,14 @@ class Sensors:
     def _visible(self, state: CrowdState) -> np.ndarray:
         """Return the agents that some beam reaches, as indices."""
         ranges, hit = self._cast(state)
-        real = np.flatnonzero(state.valid[0])
+        real = np.flatnonzero(state.agents.valid[0])
         return real[np.unique(hit[(hit >= 0) & (ranges <= self.scanner.range)])]
 
     def _cast(self, state: CrowdState) -> tuple[np.ndarray, np.ndarray]:
         """Return true ranges, and what is hit among the valid agents."""
-        angles = state.robot_heading[0] + beam_angles(self.scanner.beams)
-        real = state.valid[0]
+        angles = state.robot.heading[0] + beam_angles(self.scanner.beams)
+        real, agents = state.agents.valid[0], state.agents
         return cast_rays(
-            state.robot_position[0], angles, state.position[0, real], state.radius[0, real],
+            state.robot.position[0], angles, agents.position[0, real], agents.radius[0, real],
             float(state.bounds[0]),
         )  # fmt: skip

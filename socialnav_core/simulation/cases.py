@@ -14,7 +14,7 @@ from socialnav_core.simulation.layout import (
     sample_layout,
 )
 from socialnav_core.simulation.random_streams import GOALS, LAYOUT, SPLITS, stream
-from socialnav_core.states import CROWD_STATE_FIELDS, CrowdState
+from socialnav_core.states import Agents, CrowdState, Robot
 
 ENDLESS = -1
 ARRAYS = (
@@ -108,8 +108,8 @@ class Episodes:
         """Return what a step changes of the state, in the order of `move_worlds`."""
         state = self.state
         return (
-            state.robot_position, state.robot_velocity, state.robot_heading, state.position,
-            state.velocity, state.time,
+            state.robot.position, state.robot.velocity, state.robot.heading, state.agents.position,
+            state.agents.velocity, state.time,
         )  # fmt: skip
 
     def records(self) -> tuple[np.ndarray, ...]:
@@ -128,7 +128,7 @@ class Episodes:
 
     def arrays(self) -> dict[str, np.ndarray]:
         """Return everything, by name, without copying."""
-        state = {f'state.{name}': getattr(self.state, name) for name in CROWD_STATE_FIELDS}
+        state = {f'state.{name}': array for name, array in self.state.arrays().items()}
         return state | {name: getattr(self, name) for name in ARRAYS}
 
     def restore(self, arrays: dict[str, np.ndarray]) -> None:
@@ -137,7 +137,8 @@ class Episodes:
 
         :param arrays: as returned by `arrays`.
         """
-        self.state = CrowdState(*(arrays[f'state.{name}'].copy() for name in CROWD_STATE_FIELDS))
+        named = {name.removeprefix('state.'): array for name, array in arrays.items()}
+        self.state = CrowdState.from_arrays(named).copy()
         for name in ARRAYS:
             setattr(self, name, arrays[name].copy())
 
@@ -148,16 +149,22 @@ class Episodes:
         state = self.state
         failed = lay_out(
             worlds, cases, stream(split, seed, 0, LAYOUT), stream(split, seed, 0, GOALS),
-            layout_settings(self.scenario), state.robot_position, state.robot_goal, state.position,
-            state.radius, self.preferred_speed, self.goal, self.goal_streams,
+            layout_settings(self.scenario), state.robot.position, state.robot.goal,
+            state.agents.position, state.agents.radius, self.preferred_speed, self.goal,
+            self.goal_streams,
         )  # fmt: skip
         if failed >= 0:
             raise PackingError(f'{packing_message(self.scenario)} (case {cases[failed]})')
-        for array in (state.robot_velocity, state.robot_heading, state.velocity, state.time):
+        for array in (
+            state.robot.velocity,
+            state.robot.heading,
+            state.agents.velocity,
+            state.time,
+        ):
             array[worlds] = 0.0
         if self.scenario.kinematics == 'differential':  # a holonomic robot's heading is arbitrary
-            ahead = state.robot_goal[worlds] - state.robot_position[worlds]
-            state.robot_heading[worlds] = np.arctan2(ahead[:, 1], ahead[:, 0])
+            ahead = state.robot.goal[worlds] - state.robot.position[worlds]
+            state.robot.heading[worlds] = np.arctan2(ahead[:, 1], ahead[:, 0])
 
 
 def empty_state(scenario: Scenario, batch_size: int) -> CrowdState:
@@ -170,17 +177,21 @@ def empty_state(scenario: Scenario, batch_size: int) -> CrowdState:
     agents = scenario.agents
     static = np.arange(agents) >= scenario.pedestrians
     return CrowdState(
-        robot_position=np.zeros((batch_size, 2)),
-        robot_velocity=np.zeros((batch_size, 2)),
-        robot_heading=np.zeros(batch_size),
-        robot_radius=np.full(batch_size, scenario.robot_radius),
-        robot_preferred_speed=np.full(batch_size, scenario.robot_preferred_speed),
-        robot_goal=np.zeros((batch_size, 2)),
-        position=np.zeros((batch_size, agents, 2)),
-        velocity=np.zeros((batch_size, agents, 2)),
-        radius=np.ones((batch_size, agents)),
-        static=np.tile(static, (batch_size, 1)),
-        valid=np.ones((batch_size, agents), bool),
+        Robot(
+            position=np.zeros((batch_size, 2)),
+            velocity=np.zeros((batch_size, 2)),
+            heading=np.zeros(batch_size),
+            radius=np.full(batch_size, scenario.robot_radius),
+            preferred_speed=np.full(batch_size, scenario.robot_preferred_speed),
+            goal=np.zeros((batch_size, 2)),
+        ),
+        Agents(
+            position=np.zeros((batch_size, agents, 2)),
+            velocity=np.zeros((batch_size, agents, 2)),
+            radius=np.ones((batch_size, agents)),
+            static=np.tile(static, (batch_size, 1)),
+            valid=np.ones((batch_size, agents), bool),
+        ),
         bounds=np.full(batch_size, scenario.bounds),
         time=np.zeros(batch_size),
     )

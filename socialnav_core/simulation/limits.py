@@ -30,8 +30,8 @@ def present_command(kinematics: str, state: CrowdState) -> np.ndarray:
     :param state: the worlds as they are.
     """
     if kinematics == 'holonomic':
-        return state.robot_velocity
-    speed = (state.robot_velocity * direction(state.robot_heading)).sum(axis=-1)
+        return state.robot.velocity
+    speed = (state.robot.velocity * direction(state.robot.heading)).sum(axis=-1)
     return np.stack([speed, np.zeros_like(speed)], axis=-1)
 
 

@@ -59,12 +59,12 @@ def step_outcomes(
     :param duration: s.
     :param settings: of reward_settings.
     """
-    shape = displacement.shape[:2]
+    shape, robot, agents = displacement.shape[:2], state.robot, state.agents
     reward, outcome = np.empty(shape), np.empty(shape, np.int8)
     clearance, pedestrian_clearance = np.empty(shape), np.empty(shape)
     _judge(
-        state.robot_position, state.robot_radius, state.robot_goal, displacement, state.position,
-        agent_velocity, state.radius, state.static, state.valid, state.bounds, duration, settings,
+        robot.position, robot.radius, robot.goal, displacement, agents.position, agent_velocity,
+        agents.radius, agents.static, agents.valid, state.bounds, duration, settings,
         reward, outcome, clearance, pedestrian_clearance,
     )  # fmt: skip
     return reward, outcome, clearance, pedestrian_clearance

@@ -107,7 +107,7 @@ class Simulator:
         command = self._checked(command)
         velocities, episodes, scenario = self._decide(), self._episodes, self.scenario
         displacement, robot_velocity, heading = move_robot(
-            scenario.kinematics, episodes.state.robot_heading, command, duration
+            scenario.kinematics, episodes.state.robot.heading, command, duration
         )
         judged = step_outcomes(
             episodes.state, displacement[:, None], velocities, duration, self._settings
@@ -156,7 +156,7 @@ class Simulator:
         :param world: its index.
         :param goal: m, (2,).
         """
-        self._episodes.state.robot_goal[world] = goal
+        self._episodes.state.robot.goal[world] = goal
 
     def change_scenario(
         self, scenario: Scenario, scenario_of: Callable[[int], Scenario] | None = None

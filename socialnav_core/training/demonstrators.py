@@ -1,7 +1,5 @@
 """Who shows the robot its way: ORCA, and ORCA with a defect of the founding report's code."""
 
-import dataclasses
-
 import numpy as np
 
 from socialnav_core.config.training import ImitationConfig
@@ -34,9 +32,9 @@ class StaleRadii:
         :param state: the worlds as they are; the first time, world 0 has the case that is kept.
         """
         if self._radius is None:
-            self._radius = state.radius[0].copy()
-        believed = np.broadcast_to(self._radius, state.radius.shape)
-        return self._planner.act(dataclasses.replace(state, radius=believed))
+            self._radius = state.agents.radius[0].copy()
+        believed = np.broadcast_to(self._radius, state.agents.radius.shape)
+        return self._planner.act(state.with_agents(radius=believed))
 
     def reset(self) -> None:
         """Forget the radii."""

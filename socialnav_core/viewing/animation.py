@@ -142,7 +142,7 @@ class Stage:
         self.people = np.flatnonzero(scene.walkers(recording))
         colours = [scene.PEOPLE[person % len(scene.PEOPLE)] for person in range(len(self.people))]
         self.colours = np.array([to_rgb(colour) for colour in colours]).reshape(-1, 3)
-        diameters = 2 * recording.states[0].radius[0][self.people]
+        diameters = 2 * recording.states[0].agents.radius[0][self.people]
         self.discs = EllipseCollection(
             diameters, diameters, np.zeros_like(diameters), units='xy', facecolors=colours,
             edgecolors='white', linewidths=1.0, offsets=np.zeros((len(self.people), 2)),
@@ -157,7 +157,7 @@ class Stage:
             units='inches', width=0.027, headwidth=4, headlength=4, headaxislength=3.6,
             color=scene.INK, zorder=7,
         )  # fmt: skip
-        radius = float(recording.states[0].robot_radius[0])
+        radius = float(recording.states[0].robot.radius[0])
         self.comfort = Circle((0, 0), radius + DISCOMFORT, fill=False, linewidth=1.1, zorder=5)
         self.robot = Circle(
             (0, 0), radius, facecolor=scene.ROBOT, edgecolor=scene.ROBOT_EDGE, zorder=6
@@ -190,7 +190,7 @@ class Stage:
         """
         state = state_at(self.recording, time)
         ended = time >= self.recording.times[-1]
-        self.discs.set_offsets(state.position[0][self.people])
+        self.discs.set_offsets(state.agents.position[0][self.people])
         self._place_robot(state)
         self._draw_trails(time)
         self._draw_arrows(state)
@@ -202,7 +202,7 @@ class Stage:
 
     def _place_robot(self, state: CrowdState) -> None:
         """Move the robot and its circle of discomfort, red where somebody is inside."""
-        self.robot.center = self.comfort.center = tuple(state.robot_position[0])
+        self.robot.center = self.comfort.center = tuple(state.robot.position[0])
         near = clearance(state) < DISCOMFORT
         self.comfort.set_edgecolor(scene.ALARM if near else scene.FAINT_INK)
         self.comfort.set_linestyle('-' if near else (0, (2, 3)))
@@ -212,7 +212,7 @@ class Stage:
         recording = self.recording
         moments = np.linspace(max(time - TRAIL, recording.times[0]), time, _TRAIL_PIECES + 1)
         states = [state_at(recording, moment) for moment in moments]
-        points = np.array([state.position[0][self.people] for state in states])
+        points = np.array([state.agents.position[0][self.people] for state in states])
         segments = np.stack([points[:-1], points[1:]], axis=2)  # (pieces, people, 2, 2)
         colours = np.ones((*segments.shape[:2], 4))
         colours[..., :3] = self.colours
@@ -220,12 +220,12 @@ class Stage:
         self.trails.set_segments(list(segments.reshape(-1, 2, 2)))
         self.trails.set_color(list(colours.reshape(-1, 4)))
         past = recording.robot_path[recording.times < time]
-        self.path.set_segments([np.concatenate([past, states[-1].robot_position])])
+        self.path.set_segments([np.concatenate([past, states[-1].robot.position])])
 
     def _draw_arrows(self, state: CrowdState) -> None:
         """Draw the velocities as arrows from the centres, one metre for one metre per second."""
-        tails = np.concatenate([state.position[0][self.people], state.robot_position])
-        moves = np.concatenate([state.velocity[0][self.people], state.robot_velocity])
+        tails = np.concatenate([state.agents.position[0][self.people], state.robot.position])
+        moves = np.concatenate([state.agents.velocity[0][self.people], state.robot.velocity])
         standing = np.linalg.norm(moves, axis=-1) < _STANDING
         self.arrows.set_offsets(tails)
         self.arrows.set_UVC(*np.ma.masked_array(moves.T, np.tile(standing, (2, 1))))
@@ -236,10 +236,10 @@ class Stage:
             return
         decision = int(np.searchsorted(self.recording.times, time, side='right')) - 1
         weights = self.recording.attention[min(decision, len(self.recording.attention) - 1)]
-        seen = np.flatnonzero(state.valid[0])
-        robot = np.broadcast_to(state.robot_position, (len(seen), 2))
+        seen = np.flatnonzero(state.agents.valid[0])
+        robot = np.broadcast_to(state.robot.position, (len(seen), 2))
         shares = weights[seen]
-        self.gaze.set_segments(list(np.stack([robot, state.position[0][seen]], axis=1)))
+        self.gaze.set_segments(list(np.stack([robot, state.agents.position[0][seen]], axis=1)))
         self.gaze.set_linewidth(list(1 + 7 * shares))
         self.gaze.set_color([(*to_rgb(scene.ATTENTION), 0.1 + 0.4 * share) for share in shares])
 

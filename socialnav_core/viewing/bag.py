@@ -65,7 +65,7 @@ def all_messages(recording: Recording) -> Iterator[tuple[str, messages.Message, 
         yield 'odom', messages.odometry(state, turn_rate, stamp), stamp
         yield 'markers', world_markers(state, recording.goal_tolerance, stamp), stamp
         if step < len(commands):
-            heading = float(state.robot_heading[0])
+            heading = float(state.robot.heading[0])
             command = messages.command(commands[step], heading, recording.kinematics, stamp)
             yield 'cmd_vel', command, stamp
     yield 'episode_result', messages.episode_result(recording, stamp), stamp

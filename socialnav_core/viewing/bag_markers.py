@@ -25,16 +25,16 @@ def world_markers(state: CrowdState, goal_tolerance: float, nanoseconds: int) ->
     :param nanoseconds: time of the state.
     """
     markers: list[Message] = [{'action': DELETE_ALL}]
-    for index in np.flatnonzero(state.valid[0]).tolist():
-        name = 'obstacles' if state.static[0, index] else 'pedestrians'
-        place, radius = state.position[0, index], float(state.radius[0, index])
+    for index in np.flatnonzero(state.agents.valid[0]).tolist():
+        name = 'obstacles' if state.agents.static[0, index] else 'pedestrians'
+        place, radius = state.agents.position[0, index], float(state.agents.radius[0, index])
         markers.append(disc(name, index, place, radius))
-        if not state.static[0, index]:
-            markers.append(arrow(name, index, place, state.velocity[0, index]))
-    robot = state.robot_position[0]
-    markers.append(disc('goal', 0, state.robot_goal[0], goal_tolerance))
-    markers.append(disc('robot', 0, robot, float(state.robot_radius[0])))
-    markers.append(arrow('robot', 0, robot, state.robot_velocity[0]))
+        if not state.agents.static[0, index]:
+            markers.append(arrow(name, index, place, state.agents.velocity[0, index]))
+    robot = state.robot.position[0]
+    markers.append(disc('goal', 0, state.robot.goal[0], goal_tolerance))
+    markers.append(disc('robot', 0, robot, float(state.robot.radius[0])))
+    markers.append(arrow('robot', 0, robot, state.robot.velocity[0]))
     return {'markers': [{'header': header(nanoseconds), **marker} for marker in markers]}
 
 

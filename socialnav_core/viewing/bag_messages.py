@@ -65,13 +65,13 @@ def agent_states(state: CrowdState, static: bool, nanoseconds: int) -> Message:
     :param static: whether obstacles are meant.
     :param nanoseconds: time of the state.
     """
-    chosen = np.flatnonzero(state.valid[0] & (state.static[0] == static))
+    chosen = np.flatnonzero(state.agents.valid[0] & (state.agents.static[0] == static))
     agents = [
         {
             'id': index,
-            'position': vector(state.position[0, index]),
-            'velocity': vector(state.velocity[0, index]),
-            'radius': float(state.radius[0, index]),
+            'position': vector(state.agents.position[0, index]),
+            'velocity': vector(state.agents.velocity[0, index]),
+            'radius': float(state.agents.radius[0, index]),
         }
         for index in chosen.tolist()
     ]
@@ -86,9 +86,9 @@ def odometry(state: CrowdState, turn_rate: float, nanoseconds: int) -> Message:
     :param turn_rate: of the robot, rad/s.
     :param nanoseconds: time of the state.
     """
-    heading = float(state.robot_heading[0])
-    pose = {'position': vector(state.robot_position[0]), 'orientation': rotation(heading)}
-    linear = vector(in_base_frame(state.robot_velocity[0], heading))
+    heading = float(state.robot.heading[0])
+    pose = {'position': vector(state.robot.position[0]), 'orientation': rotation(heading)}
+    linear = vector(in_base_frame(state.robot.velocity[0], heading))
     twist = {'linear': linear, 'angular': vector(np.zeros(2), turn_rate)}
     return {
         'header': header(nanoseconds),
@@ -105,7 +105,7 @@ def goal(state: CrowdState, nanoseconds: int) -> Message:
     :param state: batch of one.
     :param nanoseconds: time of the state.
     """
-    pose = {'position': vector(state.robot_goal[0]), 'orientation': rotation(0.0)}
+    pose = {'position': vector(state.robot.goal[0]), 'orientation': rotation(0.0)}
     return {'header': header(nanoseconds), 'pose': pose}
 
 

@@ -69,7 +69,7 @@ def draw_trajectories(axes: Axes, recording: Recording) -> None:
     crowded = len(people) > CROWD
     for person, agent in enumerate(people):
         path, colour = recording.agent_paths[:, agent], scene.PEOPLE[person % len(scene.PEOPLE)]
-        _draw_discs(axes, path[marks], start.radius[0, agent], colour, 0.04, 0.6)
+        _draw_discs(axes, path[marks], start.agents.radius[0, agent], colour, 0.04, 0.6)
         axes.add_collection(
             fading_path(path, colour, 1.4, 0.05, 0.4 if crowded else 0.75), autolim=False
         )
@@ -77,7 +77,7 @@ def draw_trajectories(axes: Axes, recording: Recording) -> None:
             _label(axes, path[marks], recording.times[marks], 6.5, colour)
     path = recording.robot_path
     axes.add_collection(fading_path(path, scene.ROBOT, 2.6, 0.55, 1.0), autolim=False)
-    _draw_discs(axes, path[marks], start.robot_radius[0], scene.ROBOT, 0.3, 1.0)
+    _draw_discs(axes, path[marks], start.robot.radius[0], scene.ROBOT, 0.3, 1.0)
     _label(axes, path[marks], recording.times[marks], 8.5, scene.ROBOT_EDGE)
     axes.add_patch(scene.crash_ring(recording))
 
@@ -92,16 +92,16 @@ def draw_attention(axes: Axes, recording: Recording, index: int) -> None:
     """
     assert recording.attention is not None
     state, weights = recording.states[index], recording.attention[index]
-    robot = state.robot_position[0]
+    robot = state.robot.position[0]
     axes.add_patch(
-        Circle(tuple(robot), float(state.robot_radius[0]), **_ATTENTION, fill=False, linewidth=2.2)
+        Circle(tuple(robot), float(state.robot.radius[0]), **_ATTENTION, fill=False, linewidth=2.2)
     )
-    for agent in np.flatnonzero(state.valid[0]):
-        centre, share = state.position[0, agent], float(weights[agent])
+    for agent in np.flatnonzero(state.agents.valid[0]):
+        centre, share = state.agents.position[0, agent], float(weights[agent])
         axes.plot(*np.stack([robot, centre], axis=1), **_ATTENTION, linewidth=12 * share,
                   alpha=0.5, solid_capstyle='round')  # fmt: skip
         axes.add_patch(
-            Circle(tuple(centre), float(state.radius[0, agent]), **_ATTENTION, fill=False,
+            Circle(tuple(centre), float(state.agents.radius[0, agent]), **_ATTENTION, fill=False,
                    linewidth=1.4)
         )  # fmt: skip
         style: dict[str, Any] = {'ha': 'center', 'va': 'center', 'path_effects': _HALO}

@@ -55,12 +55,12 @@ class Recording:
     @property
     def robot_path(self) -> np.ndarray:
         """Return the robot's positions, m, (states, 2)."""
-        return np.array([state.robot_position[0] for state in self.states])
+        return np.array([state.robot.position[0] for state in self.states])
 
     @property
     def agent_paths(self) -> np.ndarray:
         """Return the agents' positions, m, (states, agents, 2)."""
-        return np.array([state.position[0] for state in self.states])
+        return np.array([state.agents.position[0] for state in self.states])
 
     @property
     def minimum_clearance(self) -> float:
@@ -96,9 +96,9 @@ def clearance(state: CrowdState) -> float:
 
     :param state: a batch of one.
     """
-    offset = state.position[0] - state.robot_position[0]
-    gaps = np.linalg.norm(offset, axis=-1) - state.radius[0] - state.robot_radius[0]
-    return float(gaps[state.valid[0]].min(initial=np.inf))
+    offset = state.agents.position[0] - state.robot.position[0]
+    gaps = np.linalg.norm(offset, axis=-1) - state.agents.radius[0] - state.robot.radius[0]
+    return float(gaps[state.agents.valid[0]].min(initial=np.inf))
 
 
 def state_at(recording: Recording, time: float) -> CrowdState:
@@ -114,14 +114,12 @@ def state_at(recording: Recording, time: float) -> CrowdState:
         return recording.states[min(after, len(times) - 1)]
     earlier, later = recording.states[after - 1], recording.states[after]
     share = (time - times[after - 1]) / (times[after] - times[after - 1])
-    turn = np.angle(np.exp(1j * (later.robot_heading - earlier.robot_heading)))
-    return dataclasses.replace(
-        later,
-        robot_position=_blend(earlier.robot_position, later.robot_position, share),
-        robot_heading=earlier.robot_heading + share * turn,
-        position=_blend(earlier.position, later.position, share),
-        time=np.array([time]),
-    )
+    turn = np.angle(np.exp(1j * (later.robot.heading - earlier.robot.heading)))
+    moved = later.with_robot(
+        position=_blend(earlier.robot.position, later.robot.position, share),
+        heading=earlier.robot.heading + share * turn,
+    ).with_agents(position=_blend(earlier.agents.position, later.agents.position, share))
+    return dataclasses.replace(moved, time=np.array([time]))
 
 
 def record(

@@ -76,8 +76,8 @@ def view_half_width(recording: Recording) -> float:
     bounds = float(start.bounds[0])
     if np.isfinite(bounds):
         return 1.03 * bounds
-    people = recording.agent_paths[:, start.valid[0]].reshape(-1, 2)
-    everywhere = np.concatenate([recording.robot_path, people, start.robot_goal])
+    people = recording.agent_paths[:, start.agents.valid[0]].reshape(-1, 2)
+    everywhere = np.concatenate([recording.robot_path, people, start.robot.goal])
     return float(np.abs(everywhere).max()) + 1.0
 
 
@@ -88,7 +88,7 @@ def walkers(recording: Recording) -> np.ndarray:
     :param recording: the episode.
     """
     start = recording.states[0]
-    return start.valid[0] & ~start.static[0]
+    return start.agents.valid[0] & ~start.agents.static[0]
 
 
 def crash_ring(recording: Recording) -> Circle:
@@ -97,7 +97,7 @@ def crash_ring(recording: Recording) -> Circle:
 
     :param recording: the episode.
     """
-    radius = 1.9 * float(recording.states[-1].robot_radius[0])
+    radius = 1.9 * float(recording.states[-1].robot.radius[0])
     x, y = recording.robot_path[-1]
     colour = OUTCOME_COLOURS[recording.outcome]
     ring = Circle((x, y), radius, fill=False, edgecolor=colour, linewidth=2.4, zorder=9)
@@ -166,8 +166,10 @@ def _draw_floor(axes: Axes, recording: Recording, half: float) -> None:
 def _draw_obstacles(axes: Axes, recording: Recording) -> None:
     """Draw the static obstacles."""
     state = recording.states[0]
-    obstacles = np.flatnonzero(state.valid[0] & state.static[0])
-    discs = [Circle(tuple(state.position[0, i]), state.radius[0, i]) for i in obstacles]
+    obstacles = np.flatnonzero(state.agents.valid[0] & state.agents.static[0])
+    discs = [
+        Circle(tuple(state.agents.position[0, i]), state.agents.radius[0, i]) for i in obstacles
+    ]
     style: dict[str, Any] = {'facecolor': OBSTACLE, 'edgecolor': OBSTACLE_EDGE, 'linewidth': 1.2}
     axes.add_collection(PatchCollection(discs, zorder=3, **style), autolim=False)
 
@@ -175,8 +177,8 @@ def _draw_obstacles(axes: Axes, recording: Recording) -> None:
 def _draw_endpoints(axes: Axes, recording: Recording) -> None:
     """Draw where the robot starts and its goal."""
     start = recording.states[0]
-    centre, radius = tuple(start.robot_position[0]), float(start.robot_radius[0])
+    centre, radius = tuple(start.robot.position[0]), float(start.robot.radius[0])
     dashes: dict[str, Any] = {'linestyle': (0, (3, 2)), 'linewidth': 1.2, 'zorder': 4}
     axes.add_patch(Circle(centre, radius, fill=False, edgecolor=ROBOT, **dashes))
     star: dict[str, Any] = {'marker': '*', 'markersize': 20, 'markeredgecolor': FLOOR}
-    axes.plot(*start.robot_goal[0], color=GOAL, zorder=5, **star)
+    axes.plot(*start.robot.goal[0], color=GOAL, zorder=5, **star)

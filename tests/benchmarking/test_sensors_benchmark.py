@@ -35,16 +35,16 @@ def test_a_robot_with_exact_sensors_knows_everybody_whom_it_can_see():
         state = simulator.advance(np.zeros((1, 2)), 0.05)[0]
     perception.detect(state)
     position, velocity, _, static = perception.agents(state)
-    walking = ~state.static[0]
+    walking = ~state.agents.static[0]
     order = np.argsort(position[~static, 0])
-    true = np.argsort(state.position[0, walking, 0])
+    true = np.argsort(state.agents.position[0, walking, 0])
     np.testing.assert_allclose(
-        position[~static][order], state.position[0, walking][true], atol=0.05
+        position[~static][order], state.agents.position[0, walking][true], atol=0.05
     )
     np.testing.assert_allclose(
-        velocity[~static][order], state.velocity[0, walking][true], atol=0.3
+        velocity[~static][order], state.agents.velocity[0, walking][true], atol=0.3
     )
-    gap = np.linalg.norm(position[static][:, None] - state.position[0, ~walking], axis=-1)
+    gap = np.linalg.norm(position[static][:, None] - state.agents.position[0, ~walking], axis=-1)
     assert (gap.min(axis=1) < 0.35).all() and static.any()
 
 

@@ -12,23 +12,11 @@ STORED = Path(__file__).parent / 'data' / 'shipped_actions.npz'
 MODELS = Path(__file__).parents[2] / 'models'
 SCENARIOS = ('hard', 'crowd20', 'packed-2.5')
 VARIANTS = {'plain': {'screening': False}, 'screened': {'screening': True}}
-FIELDS = (
-    'robot_position', 'robot_velocity', 'robot_heading', 'robot_radius', 'robot_preferred_speed',
-    'robot_goal', 'position', 'velocity', 'radius', 'static', 'valid', 'bounds', 'time',
-)  # fmt: skip
 WORLDS, MOMENTS = 8, (0, 12, 24)
 
 
 def stored_names():
     return sorted(path.parent.name for path in MODELS.glob('*/weights.safetensors'))
-
-
-def state_of(arrays):
-    return CrowdState(*(arrays[name] for name in FIELDS))
-
-
-def arrays_of(state):
-    return {name: getattr(state, name) for name in FIELDS}
 
 
 def visited_states(scenario):
@@ -37,9 +25,9 @@ def visited_states(scenario):
     state, policy, seen = simulator.reset(seed=5), load_policy('orca'), []
     for step in range(max(MOMENTS) + 1):
         if step in MOMENTS:
-            seen.append(arrays_of(state))
+            seen.append(state.arrays())
         state, *_ = simulator.step(policy.act(state))
-    return {name: np.concatenate([arrays[name] for arrays in seen]) for name in FIELDS}
+    return {name: np.concatenate([one[name] for one in seen]) for name in seen[0]}
 
 
 def store():
@@ -47,7 +35,7 @@ def store():
     for scenario in SCENARIOS:
         fields = visited_states(scenario)
         arrays |= {f'{scenario}/state/{name}': array for name, array in fields.items()}
-        state = state_of(fields)
+        state = CrowdState.from_arrays(fields)
         for model in stored_names():
             for variant, options in VARIANTS.items():
                 action = load_policy(model, **options).decide(state).action

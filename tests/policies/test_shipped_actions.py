@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from socialnav_core.policies import load_policy
-from tests.policies.shipped_actions import FIELDS, SCENARIOS, state_of, STORED, VARIANTS
+from socialnav_core.states import CrowdState
+from tests.policies.shipped_actions import SCENARIOS, STORED, VARIANTS
 
 NEARLY_EQUAL = 1e-5  # values of two actions; processors differ in the last digits
 ARRAYS = dict(np.load(STORED))
@@ -12,7 +13,9 @@ MODELS = sorted({name.split('/')[2] for name in ARRAYS if '/plain/' in name})
 
 
 def stored_state(scenario):
-    return state_of({name: ARRAYS[f'{scenario}/state/{name}'] for name in FIELDS})
+    prefix = f'{scenario}/state/'
+    stored = {name.removeprefix(prefix): array for name, array in ARRAYS.items()}
+    return CrowdState.from_arrays(stored)
 
 
 @pytest.mark.parametrize('variant', VARIANTS)

@@ -18,7 +18,7 @@ def sensors(scanner=None, detector=None, seed=1, case=2):
 def test_a_scan_turns_with_the_robot():
     state = world()
     ahead = sensors().scan(state)
-    state.robot_heading[:] = np.pi / 2
+    state.robot.heading[:] = np.pi / 2
     np.testing.assert_allclose(sensors().scan(state), np.roll(ahead, -90), atol=1e-6)
 
 
@@ -42,7 +42,7 @@ def test_ranges_scatter_as_much_as_they_should():
 def test_everybody_who_walks_is_detected_and_nothing_else():
     state = world()
     found = sensors().detect(state)
-    walking = state.position[0][~state.static[0]]
+    walking = state.agents.position[0][~state.agents.static[0]]
     assert found.shape == (5, 2)
     assert sorted(found.tolist()) == sorted(walking.tolist())
 
@@ -56,10 +56,13 @@ def test_as_many_are_missed_as_should_be():
 
 def test_whoever_is_hidden_is_not_detected_where_occlusion_counts():
     state = world()
-    walking = np.flatnonzero(~state.static[0])
-    state.robot_position[:], state.position[:] = 0.0, 50.0
-    state.position[0, walking[0]], state.position[0, walking[1]] = (2.0, 0.0), (4.0, 0.0)
-    state.radius[:] = 0.3
+    walking = np.flatnonzero(~state.agents.static[0])
+    state.robot.position[:], state.agents.position[:] = 0.0, 50.0
+    state.agents.position[0, walking[0]], state.agents.position[0, walking[1]] = (
+        (2.0, 0.0),
+        (4.0, 0.0),
+    )
+    state.agents.radius[:] = 0.3
     assert len(sensors().detect(state)) == 5
     seen = sensors(detector=DetectorSettings(occlusion=True)).detect(state)
     assert seen.tolist() == [[2.0, 0.0]]

@@ -52,7 +52,7 @@ def test_every_candidate_is_within_the_limits(kinematics):
     policy.limits = TIGHT
     for state in states_of(kinematics):
         # slower than the limit, since acceleration counts less than speed
-        state = dataclasses.replace(state, robot_velocity=0.7 * state.robot_velocity)
+        state = state.with_robot(velocity=0.7 * state.robot.velocity)
         commands = policy.decide(state).commands
         present = present_command(kinematics, state)[:, None]
         change = commands - present
@@ -84,20 +84,26 @@ def facing_an_obstacle(distance, speed):
     """Return a robot that drives east at an obstacle."""
     state = next(states_of(worlds=1))
     agents = {'position': np.array([[[distance, 0.0]]]), 'velocity': np.zeros((1, 1, 2))}
-    return dataclasses.replace(
-        state, **agents, robot_position=np.zeros((1, 2)), radius=np.full((1, 1), 0.3),
-        robot_velocity=np.array([[speed, 0.0]]), robot_goal=np.array([[9.0, 0.0]]),
-        static=np.ones((1, 1), bool), valid=np.ones((1, 1), bool), bounds=np.array([np.inf]),
-    )  # fmt: skip
+    placed = state.with_robot(
+        position=np.zeros((1, 2)),
+        velocity=np.array([[speed, 0.0]]),
+        goal=np.array([[9.0, 0.0]]),
+    ).with_agents(
+        **agents,
+        radius=np.full((1, 1), 0.3),
+        static=np.ones((1, 1), bool),
+        valid=np.ones((1, 1), bool),
+    )
+    return dataclasses.replace(placed, bounds=np.array([np.inf]))
 
 
 def safe_from(state, limits):
     """Return the candidates and which of them are safe."""
     config = PolicyConfig()
     wanted = action_set(config)[None]
-    commands = reachable('holonomic', wanted, state.robot_velocity[:, None], limits, 0.1)
+    commands = reachable('holonomic', wanted, state.robot.velocity[:, None], limits, 0.1)
     mask = safe_actions(
-        state, commands, state.velocity, 'holonomic', config.time_step,
+        state, commands, state.agents.velocity, 'holonomic', config.time_step,
         ScreeningConfig(enabled=True), limits=limits, wanted=wanted,
     )  # fmt: skip
     return commands[0], mask[0]

@@ -1,13 +1,11 @@
 """Laws of what a step leads to."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 
 from socialnav_core.config import RewardConfig
 from socialnav_core.simulation.rewards import Outcome, reward_settings, step_outcomes
-from socialnav_core.states import CrowdState
+from socialnav_core.states import Agents, CrowdState, Robot
 
 DURATION = 0.25
 
@@ -15,17 +13,21 @@ DURATION = 0.25
 def world(position=(3.0, 0.0), velocity=(0.0, 0.0), static=False, goal=(9.0, 0.0), bounds=np.inf):
     """Return one world: robot of radius 0.3 at the origin, one agent of radius 0.3."""
     return CrowdState(
-        robot_position=np.zeros((1, 2)),
-        robot_velocity=np.zeros((1, 2)),
-        robot_heading=np.zeros(1),
-        robot_radius=np.array([0.3]),
-        robot_preferred_speed=np.ones(1),
-        robot_goal=np.array([goal], float),
-        position=np.array([[position]], float),
-        velocity=np.array([[velocity]], float),
-        radius=np.array([[0.3]]),
-        static=np.array([[static]]),
-        valid=np.ones((1, 1), bool),
+        Robot(
+            position=np.zeros((1, 2)),
+            velocity=np.zeros((1, 2)),
+            heading=np.zeros(1),
+            radius=np.array([0.3]),
+            preferred_speed=np.ones(1),
+            goal=np.array([goal], float),
+        ),
+        Agents(
+            position=np.array([[position]], float),
+            velocity=np.array([[velocity]], float),
+            radius=np.array([[0.3]]),
+            static=np.array([[static]]),
+            valid=np.ones((1, 1), bool),
+        ),
         bounds=np.array([bounds], float),
         time=np.zeros(1),
     )
@@ -34,7 +36,7 @@ def world(position=(3.0, 0.0), velocity=(0.0, 0.0), static=False, goal=(9.0, 0.0
 def judge(state, displacement=(0.0, 0.0), **reward):
     settings = reward_settings(RewardConfig(**reward), 0.3)
     move = np.array([[displacement]], float)
-    result = step_outcomes(state, move, state.velocity, DURATION, settings)
+    result = step_outcomes(state, move, state.agents.velocity, DURATION, settings)
     return [array[0, 0] for array in result]
 
 
@@ -92,7 +94,7 @@ def test_the_goal_is_reached_at_the_end_of_a_step_only():
 
 def test_padding_is_nobody():
     state = world(position=(0.1, 0.0))
-    nobody = dataclasses.replace(state, valid=np.zeros((1, 1), bool))
+    nobody = state.with_agents(valid=np.zeros((1, 1), bool))
     reward, outcome, clearance, pedestrian_clearance = judge(nobody)
     assert (reward, outcome) == (0.0, Outcome.NONE)
     assert np.isinf([clearance, pedestrian_clearance]).all()

@@ -7,16 +7,16 @@ import pytest
 
 from socialnav_core.config import ConfigError
 from socialnav_core.simulation import make_scenario, Outcome, Simulator
-from socialnav_core.states import CROWD_STATE_FIELDS
 
 
 def to_goal(state):
-    ahead = state.robot_goal - state.robot_position
+    ahead = state.robot.goal - state.robot.position
     return ahead / np.maximum(np.linalg.norm(ahead, axis=-1, keepdims=True), 1.0)
 
 
 def equal(one, other):
-    return all(np.array_equal(getattr(one, n), getattr(other, n)) for n in CROWD_STATE_FIELDS)
+    others = other.arrays()
+    return all(np.array_equal(array, others[n]) for n, array in one.arrays().items())
 
 
 def run_cases(scenario, worlds, cases, seed=3):
@@ -48,8 +48,8 @@ def test_pedestrians_walk_alike_whatever_an_unseen_robot_does():
         other = moving.step(to_goal(other))[0]
     both = still.active & moving.active
     assert both.sum() > 4
-    assert np.array_equal(one.position[both], other.position[both])
-    assert not np.allclose(one.robot_position[both], other.robot_position[both])
+    assert np.array_equal(one.agents.position[both], other.agents.position[both])
+    assert not np.allclose(one.robot.position[both], other.robot.position[both])
 
 
 def test_a_robot_that_is_seen_makes_pedestrians_step_aside():
@@ -60,16 +60,16 @@ def test_a_robot_that_is_seen_makes_pedestrians_step_aside():
         simulator.reset(seed=1)
         for _ in range(12):
             state = simulator.step(np.zeros((8, 2)))[0]
-        positions.append(state.position)
+        positions.append(state.agents.position)
     assert not np.allclose(positions[0], positions[1])
 
 
 def test_the_oracle_knows_what_the_coming_step_does():
     simulator = Simulator(make_scenario('hard'), 8)
     before = simulator.reset(seed=1)
-    expected = before.position + 0.25 * simulator.next_agent_velocities()
+    expected = before.agents.position + 0.25 * simulator.next_agent_velocities()
     info = simulator.step(np.zeros((8, 2)))[4]
-    assert np.array_equal(info['final_state'].position, expected)
+    assert np.array_equal(info['final_state'].agents.position, expected)
 
 
 def test_the_oracle_is_not_offered_when_the_robot_is_seen():
@@ -96,7 +96,7 @@ def test_an_idle_world_stands_still_and_earns_nothing():
     state = simulator.reset(cases=[5])
     assert list(simulator.active) == [True, False, False]
     after, reward, terminated, truncated, info = simulator.step(np.ones((3, 2)))
-    assert np.array_equal(after.robot_position[1:], state.robot_position[1:])
+    assert np.array_equal(after.robot.position[1:], state.robot.position[1:])
     assert not reward[1:].any() and not terminated[1:].any() and not truncated[1:].any()
     assert list(info['active']) == [True, False, False]
 
@@ -122,8 +122,8 @@ def test_small_steps_lead_pedestrians_where_a_whole_step_does():
         one = whole.step(command)[0]
         for _ in range(5):
             other = parts.advance(command, 0.05)[0]
-    assert np.allclose(one.position, other.position, atol=1e-9)
-    assert np.allclose(one.robot_position, other.robot_position, atol=1e-9)
+    assert np.allclose(one.agents.position, other.agents.position, atol=1e-9)
+    assert np.allclose(one.robot.position, other.robot.position, atol=1e-9)
 
 
 def test_a_restored_simulator_goes_on_as_if_nothing_had_happened():
@@ -143,8 +143,8 @@ def test_a_restored_simulator_goes_on_as_if_nothing_had_happened():
 def test_the_returned_state_is_a_copy():
     simulator = Simulator(make_scenario('simple'), 2)
     state = simulator.reset()
-    state.position[:] = 99.0
-    assert simulator.state.position.max() < 99.0
+    state.agents.position[:] = 99.0
+    assert simulator.state.agents.position.max() < 99.0
 
 
 def test_arrived_pedestrians_get_another_goal_free_of_obstacles():
@@ -159,8 +159,8 @@ def test_arrived_pedestrians_get_another_goal_free_of_obstacles():
     renewed = (later['goal'][:, :5] != first).any(axis=-1)
     assert renewed.mean() > 0.5
     goals = later['goal'][:, :5][renewed]
-    obstacles = np.repeat(later['state.position'][:, None, 5:], 5, axis=1)[renewed]
-    radii = np.repeat(later['state.radius'][:, None, 5:], 5, axis=1)[renewed]
+    obstacles = np.repeat(later['state.agents.position'][:, None, 5:], 5, axis=1)[renewed]
+    radii = np.repeat(later['state.agents.radius'][:, None, 5:], 5, axis=1)[renewed]
     gap = np.linalg.norm(goals[:, None] - obstacles, axis=-1) - radii - 0.3
     assert gap.min() > 0.2 - 1e-9
 
@@ -176,6 +176,6 @@ def test_a_command_that_is_none_is_refused(command):
 def test_only_radii_may_change_between_episodes():
     simulator = Simulator(make_scenario('curriculum-0.3'), 2)
     simulator.change_scenario(make_scenario('curriculum-2.5'))
-    assert simulator.reset().radius.max() == 2.5
+    assert simulator.reset().agents.radius.max() == 2.5
     with pytest.raises(ConfigError):
         simulator.change_scenario(make_scenario('packed-2.5'))

@@ -97,7 +97,7 @@ def obstacle_radii(curriculum, worlds=200):
     scenario = make_scenario('curriculum-2.5')
     simulator = Simulator(scenario, worlds)
     curriculum.apply(simulator, scenario)
-    return simulator.reset(split='train').radius[:, scenario.pedestrians :]
+    return simulator.reset(split='train').agents.radius[:, scenario.pedestrians :]
 
 
 @pytest.mark.parametrize('scheduler', ['smooth', 'baby_step', 'one_pass'])
@@ -153,11 +153,11 @@ def test_cases_have_their_buckets_whichever_world_runs_them():
     few, many = Simulator(scenario, 3), Simulator(scenario, 12)
     for simulator in (few, many):
         curriculum.apply(simulator, scenario)
-    expected = many.reset(split='train').radius
-    radius = few.reset(split='train').radius
+    expected = many.reset(split='train').agents.radius
+    radius = few.reset(split='train').agents.radius
     np.testing.assert_array_equal(radius, expected[:3])
     few.change_scenario(few.scenario)
-    assert few.reset(split='train').radius[:, 5].tolist() == [curriculum.radius] * 3
+    assert few.reset(split='train').agents.radius[:, 5].tolist() == [curriculum.radius] * 3
 
 
 def test_unknown_scheduler_is_refused():

@@ -1,7 +1,5 @@
 """The demonstrator plans with the radii that there are; on purpose, with those of one case."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 
@@ -21,12 +19,12 @@ def states():
 def test_stale_radii_are_those_of_the_first_case_until_a_reset(states):
     first, later = states
     stale, orca = StaleRadii(OrcaPolicy(0.15)), OrcaPolicy(0.15)
-    believed = np.repeat(first.radius[:1], 2, axis=0)
+    believed = np.repeat(first.agents.radius[:1], 2, axis=0)
     for state in states:
-        deceived = dataclasses.replace(state, radius=believed)
+        deceived = state.with_agents(radius=believed)
         np.testing.assert_array_equal(stale.act(state), orca.act(deceived))
     stale.reset()
-    deceived = dataclasses.replace(later, radius=np.repeat(later.radius[:1], 2, axis=0))
+    deceived = later.with_agents(radius=np.repeat(later.agents.radius[:1], 2, axis=0))
     np.testing.assert_array_equal(stale.act(later), orca.act(deceived))
 
 

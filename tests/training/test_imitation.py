@@ -24,7 +24,7 @@ class FullSpeed:
 
     def act(self, state):
         """Return the commands."""
-        ahead = state.robot_goal - state.robot_position
+        ahead = state.robot.goal - state.robot.position
         return ahead / np.maximum(np.linalg.norm(ahead, axis=1, keepdims=True), 1e-9)
 
     def reset(self):

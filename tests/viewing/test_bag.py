@@ -69,7 +69,7 @@ def test_everybody_is_where_they_were_when_they_were_there(path, recording):
     for (_, crowd), state in zip(messages(path, '/pedestrians'), recording.states, strict=True):
         seen = [(agent.position.x, agent.position.y) for agent in crowd.agents]
         np.testing.assert_array_equal(
-            seen, state.position[0, [agent.id for agent in crowd.agents]]
+            seen, state.agents.position[0, [agent.id for agent in crowd.agents]]
         )
 
 
@@ -91,11 +91,11 @@ def test_the_commands_lead_from_each_state_to_the_next(kinematics, tmp_path):
     twists = [one.twist for _, one in messages(tmp_path / 'episode.mcap', '/cmd_vel')]
     steps = zip(recording.states[:-1], recording.states[1:], twists, strict=True)
     for before, after, twist in steps:
-        way = np.linalg.norm(after.robot_position - before.robot_position)
+        way = np.linalg.norm(after.robot.position - before.robot.position)
         elapsed = float(after.time[0] - before.time[0])
         speed = np.hypot(twist.linear.x, twist.linear.y)
         assert way == pytest.approx(speed * elapsed, abs=2e-4)
-        turned = float(after.robot_heading[0] - before.robot_heading[0])
+        turned = float(after.robot.heading[0] - before.robot.heading[0])
         if kinematics == 'differential':
             assert np.sin(turned) == pytest.approx(np.sin(twist.angular.z * elapsed))
 

@@ -53,7 +53,7 @@ def test_frames_differ_and_have_even_sides(circle):
 def test_a_world_without_agents_can_be_shown(circle, tmp_path):
     nobody = dataclasses.replace(
         circle,
-        states=[dataclasses.replace(s, valid=np.zeros_like(s.valid)) for s in circle.states],
+        states=[s.with_agents(valid=np.zeros_like(s.agents.valid)) for s in circle.states],
     )
     plot_recording(nobody, tmp_path / 'nobody.png')
     animation.write_gif(nobody, tmp_path / 'nobody.gif')

@@ -36,12 +36,12 @@ def test_the_least_clearance_is_at_most_that_of_any_state(recording):
 def test_a_state_between_two_others_lies_half_way(recording):
     between = state_at(recording, 0.375)
     expected = (recording.robot_path[1] + recording.robot_path[2]) / 2
-    np.testing.assert_allclose(between.robot_position[0], expected)
+    np.testing.assert_allclose(between.robot.position[0], expected)
     assert between.time[0] == 0.375
 
 
 @pytest.mark.parametrize('moment', [0, 3, -1])
 def test_recorded_moments_give_the_recorded_positions(recording, moment):
     state = state_at(recording, recording.times[moment])
-    np.testing.assert_allclose(state.robot_position[0], recording.robot_path[moment])
-    np.testing.assert_allclose(state.position[0], recording.agent_paths[moment])
+    np.testing.assert_allclose(state.robot.position[0], recording.robot_path[moment])
+    np.testing.assert_allclose(state.agents.position[0], recording.agent_paths[moment])

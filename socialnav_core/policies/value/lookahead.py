@@ -80,26 +80,26 @@ class ValuePolicy:
         """
         config = self.config
         velocities = self.predicted_velocities(state)
-        wanted = scale_actions(self.kinematics, self._actions, state.robot_preferred_speed)
+        wanted = scale_actions(self.kinematics, self._actions, state.robot.preferred_speed)
         commands = self._reachable(state, wanted)
         displacement, velocity, heading = move_robot(
-            self.kinematics, state.robot_heading[:, None], commands, config.time_step
+            self.kinematics, state.robot.heading[:, None], commands, config.time_step
         )
         reward, outcome, _, _ = step_outcomes(
             state, displacement, velocities, config.time_step, self._settings
         )
         seen = observe_candidates(
             state,
-            state.robot_position[:, None] + displacement,
+            state.robot.position[:, None] + displacement,
             velocity,
             np.broadcast_to(heading, reward.shape),
-            state.position + velocities * config.time_step,
+            state.agents.position + velocities * config.time_step,
             velocities,
             self.kinematics,
         )
         going = outcome == Outcome.NONE
         world = np.nonzero(going)[0]
-        discount = config.reward.discount ** (config.time_step * state.robot_preferred_speed)
+        discount = config.reward.discount ** (config.time_step * state.robot.preferred_speed)
         values = reward.astype(np.float32)
         if len(world):
             next_values = self._inference.values(
@@ -119,7 +119,7 @@ class ValuePolicy:
         :raises ConfigError: when the oracle is asked for and there is none.
         """
         if self.config.lookahead == 'constant_velocity':
-            return state.velocity
+            return state.agents.velocity
         if self.oracle is None:
             raise ConfigError('the oracle look-ahead exists in simulation only; '
                               'use constant_velocity')  # fmt: skip

@@ -23,11 +23,11 @@ def observe(state: CrowdState, kinematics: str = 'holonomic') -> Observation:
     """
     seen = observe_candidates(
         state,
-        state.robot_position[:, None],
-        state.robot_velocity[:, None],
-        state.robot_heading[:, None],
-        state.position,
-        state.velocity,
+        state.robot.position[:, None],
+        state.robot.velocity[:, None],
+        state.robot.heading[:, None],
+        state.agents.position,
+        state.agents.velocity,
         kinematics,
     )
     return Observation(seen.robot[:, 0], seen.others[:, 0], seen.mask)
@@ -58,13 +58,13 @@ def observe_candidates(
     """
     batch, candidates = robot_position.shape[:2]
     robot = np.empty((batch, candidates, ROBOT_FEATURES), np.float32)
-    others = np.empty((batch, candidates, state.agents, AGENT_FEATURES), np.float32)
+    others = np.empty((batch, candidates, state.agents.count, AGENT_FEATURES), np.float32)
     _fill(
         robot_position, robot_velocity, robot_heading, kinematics == 'differential',
-        state.robot_goal, state.robot_preferred_speed, state.robot_radius, position, velocity,
-        state.radius, state.valid, robot, others,
+        state.robot.goal, state.robot.preferred_speed, state.robot.radius, position, velocity,
+        state.agents.radius, state.agents.valid, robot, others,
     )  # fmt: skip
-    return Observation(robot, others, state.valid)
+    return Observation(robot, others, state.agents.valid)
 
 
 @compiled

@@ -50,13 +50,15 @@ def safe_actions(
     ramp = None if limits is None or math.isinf(limits.acceleration) else limits
     gaps = distances_to_keep(state, agent_velocity, config, exact)
     displacement, _, heading = move_robot(
-        kinematics, state.robot_heading[:, None], commands, time_step
+        kinematics, state.robot.heading[:, None], commands, time_step
     )
-    start = np.broadcast_to(state.robot_position[:, None], displacement.shape)
-    first = is_free(state, start, displacement, state.position, agent_velocity, time_step, gaps)
+    start = np.broadcast_to(state.robot.position[:, None], displacement.shape)
+    first = is_free(
+        state, start, displacement, state.agents.position, agent_velocity, time_step, gaps
+    )
 
     # every escape action after every action, (batch, actions * actions, ...)
-    position = state.position + agent_velocity * time_step
+    position = state.agents.position + agent_velocity * time_step
     start = np.repeat(start + displacement, actions, axis=1)
     heading = np.repeat(np.broadcast_to(heading, (batch, actions)), actions, axis=1)
     present = np.repeat(commands, actions, axis=1)
@@ -117,13 +119,13 @@ def distances_to_keep(
     :param config: the margins.
     :param exact: whether the prediction is exact.
     """
-    least = state.robot_radius[:, None] + state.radius + config.margin
+    least = state.robot.radius[:, None] + state.agents.radius + config.margin
     if exact:
         return least
     standing = np.hypot(agent_velocity[..., 0], agent_velocity[..., 1]) < STANDING_SPEED
     margin = np.where(standing, config.standing_margin, config.moving_margin)
-    wanted = least - config.margin + np.where(state.static, config.margin, margin)
-    distance = np.linalg.norm(state.position - state.robot_position[:, None], axis=-1)
+    wanted = least - config.margin + np.where(state.agents.static, config.margin, margin)
+    distance = np.linalg.norm(state.agents.position - state.robot.position[:, None], axis=-1)
     return np.maximum(least, np.minimum(wanted, distance))
 
 
@@ -148,9 +150,16 @@ def is_free(
     :param gaps: distance of centres to keep from each agent, m, (batch, agents).
     """
     free = np.empty(displacement.shape[:2], bool)
-    limit = state.bounds - state.robot_radius
+    limit = state.bounds - state.robot.radius
     _check(
-        start, displacement, position, agent_velocity * duration, gaps, state.valid, limit, free
+        start,
+        displacement,
+        position,
+        agent_velocity * duration,
+        gaps,
+        state.agents.valid,
+        limit,
+        free,
     )
     return free
 

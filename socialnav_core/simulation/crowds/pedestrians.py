@@ -9,7 +9,6 @@ from socialnav_core.config import Scenario
 from socialnav_core.simulation.cases import Episodes
 from socialnav_core.simulation.crowds.orca import orca_step
 from socialnav_core.simulation.layout import PackingError, renew_goal
-from socialnav_core.states import CrowdState
 
 RADIUS_PADDING = 0.01  # RVO2's users inflate every disc by it, lest touching ones collide
 RECIPROCAL = 0.5
@@ -26,37 +25,22 @@ def decide_velocities(
     :param due: worlds to decide in, bool (batch,).
     :param decided: velocities so far, m/s, (batch, agents, 2), zero for obstacles; may be changed.
     """
-    state, orca = episodes.state, scenario.orca
-    bodies = [state.position, state.velocity, state.radius, state.static, state.valid]
-    bodies += [episodes.preferred_speed]
+    agents, orca, speed = episodes.state.agents, scenario.orca, episodes.preferred_speed
     if scenario.robot_visible:  # the robot is one more body, behind the others
-        robot = robot_as_agent(state)
-        bodies = [np.concatenate(pair, axis=1) for pair in zip(bodies, robot, strict=True)]
-        decided = np.concatenate([decided, state.robot_velocity[:, None]], axis=1)
-    position, velocity, radius, static, valid, speed = bodies
-    preferred = np.empty_like(position)
-    head_for_goals(position, episodes.goal, speed, scenario.pedestrians, preferred)
+        robot = episodes.state.robot
+        agents = agents.append(robot.as_agents())
+        speed = np.concatenate([speed, robot.preferred_speed[:, None]], axis=1)
+        decided = np.concatenate([decided, robot.velocity[:, None]], axis=1)
+    preferred = np.empty_like(agents.position)
+    head_for_goals(agents.position, episodes.goal, speed, scenario.pedestrians, preferred)
     orca_step(
-        position, velocity, preferred, radius + (RADIUS_PADDING + orca.safety_space), speed, valid,
-        np.where(static, orca.static_responsibility, RECIPROCAL),
-        np.full_like(radius, orca.neighbor_distance), due, scenario.pedestrians,
+        agents.position, agents.velocity, preferred,
+        agents.radius + (RADIUS_PADDING + orca.safety_space), speed, agents.valid,
+        np.where(agents.static, orca.static_responsibility, RECIPROCAL),
+        np.full_like(agents.radius, orca.neighbor_distance), due, scenario.pedestrians,
         orca.max_neighbors, orca.time_horizon, scenario.time_step, decided,
     )  # fmt: skip
     return np.ascontiguousarray(decided[:, : scenario.agents])
-
-
-def robot_as_agent(state: CrowdState) -> list[np.ndarray]:
-    """
-    Return position, velocity, radius, static, valid and speed of the robot as one agent.
-
-    :param state: the worlds.
-    """
-    alone = state.robot_radius[:, None]
-    never = np.zeros(alone.shape, bool)
-    speed = state.robot_preferred_speed[:, None]
-    return [
-        state.robot_position[:, None], state.robot_velocity[:, None], alone, never, ~never, speed,
-    ]  # fmt: skip
 
 
 @compiled
@@ -88,8 +72,8 @@ def renew_goals(scenario: Scenario, episodes: Episodes) -> None:
     """
     state = episodes.state
     if not renew_arrived_goals(
-        episodes.goal_streams, scenario.spawn_half_width, episodes.active, state.position,
-        state.radius, episodes.goal,
+        episodes.goal_streams, scenario.spawn_half_width, episodes.active, state.agents.position,
+        state.agents.radius, episodes.goal,
     ):  # fmt: skip
         raise PackingError(
             f'scenario {scenario.name}: obstacles cover the circle of goals, of radius '

@@ -97,9 +97,9 @@ def stands_near_obstacle(recording: Recording) -> bool:
         return False
     since = standing_since(recording)
     state = recording.states[-1]
-    gaps = np.linalg.norm(state.position[0] - state.robot_position[0], axis=-1)
-    gaps -= state.radius[0] + state.robot_radius[0]
-    large = state.valid[0] & state.static[0] & (state.radius[0] >= LARGE)
+    gaps = np.linalg.norm(state.agents.position[0] - state.robot.position[0], axis=-1)
+    gaps -= state.agents.radius[0] + state.robot.radius[0]
+    large = state.agents.valid[0] & state.agents.static[0] & (state.agents.radius[0] >= LARGE)
     still = recording.times[-1] - recording.times[since] >= STANDING_SECONDS
     return bool(still and gaps[large].min(initial=np.inf) <= NEAR)
 

@@ -10,7 +10,7 @@ from founding_report.rows import ROWS
 from socialnav_core.policies import ValuePolicy
 from socialnav_core.policies.value.checkpoint import build_network
 from socialnav_core.simulation import make_scenario
-from socialnav_core.states import CrowdState
+from socialnav_core.states import Agents, CrowdState, Robot
 from socialnav_core.viewing import record, Recording
 from socialnav_core.viewing.plots import plot_recordings
 
@@ -29,17 +29,21 @@ def episode():
 def state(x, time, radius):
     """Return a world with one obstacle at the origin and the robot at (x, 0)."""
     return CrowdState(
-        robot_position=np.array([[x, 0.0]]),
-        robot_velocity=np.zeros((1, 2)),
-        robot_heading=np.zeros(1),
-        robot_radius=np.full(1, 0.3),
-        robot_preferred_speed=np.ones(1),
-        robot_goal=np.array([[5.0, 0.0]]),
-        position=np.zeros((1, 1, 2)),
-        velocity=np.zeros((1, 1, 2)),
-        radius=np.full((1, 1), radius),
-        static=np.ones((1, 1), bool),
-        valid=np.ones((1, 1), bool),
+        Robot(
+            position=np.array([[x, 0.0]]),
+            velocity=np.zeros((1, 2)),
+            heading=np.zeros(1),
+            radius=np.full(1, 0.3),
+            preferred_speed=np.ones(1),
+            goal=np.array([[5.0, 0.0]]),
+        ),
+        Agents(
+            position=np.zeros((1, 1, 2)),
+            velocity=np.zeros((1, 1, 2)),
+            radius=np.full((1, 1), radius),
+            static=np.ones((1, 1), bool),
+            valid=np.ones((1, 1), bool),
+        ),
         bounds=np.full(1, 7.5),
         time=np.array([time]),
     )

@@ -1,7 +1,5 @@
 """Laws of the one-step look-ahead."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 import torch
@@ -22,7 +20,7 @@ def some_state(name='hard', worlds=8, steps=5):
     simulator = Simulator(make_scenario(name), worlds)
     state = simulator.reset(seed=1, split='train')
     for _ in range(steps):
-        ahead = state.robot_goal - state.robot_position
+        ahead = state.robot.goal - state.robot.position
         state = simulator.step(0.8 * ahead / np.linalg.norm(ahead, axis=-1, keepdims=True))[0]
     return simulator, state
 
@@ -59,21 +57,19 @@ def test_padding_changes_no_value(name):
     config = PolicyConfig(network=name)
     policy = ValuePolicy(build_network(config), config)
     _, state = some_state()
-    more = dataclasses.replace(
-        state,
-        position=np.concatenate([state.position, np.full((8, 3, 2), np.nan)], axis=1),
-        velocity=np.concatenate([state.velocity, np.full((8, 3, 2), np.nan)], axis=1),
-        radius=np.concatenate([state.radius, np.full((8, 3), np.nan)], axis=1),
-        static=np.concatenate([state.static, np.zeros((8, 3), bool)], axis=1),
-        valid=np.concatenate([state.valid, np.zeros((8, 3), bool)], axis=1),
+    more = state.with_agents(
+        position=np.concatenate([state.agents.position, np.full((8, 3, 2), np.nan)], axis=1),
+        velocity=np.concatenate([state.agents.velocity, np.full((8, 3, 2), np.nan)], axis=1),
+        radius=np.concatenate([state.agents.radius, np.full((8, 3), np.nan)], axis=1),
+        static=np.concatenate([state.agents.static, np.zeros((8, 3), bool)], axis=1),
+        valid=np.concatenate([state.agents.valid, np.zeros((8, 3), bool)], axis=1),
     )
     assert np.allclose(policy.decide(state).values, policy.decide(more).values, atol=1e-6)
 
 
 def test_a_world_without_anybody_can_be_decided_in(network):
     _, state = some_state()
-    nobody = dataclasses.replace(
-        state,
+    nobody = state.with_agents(
         position=np.zeros((8, 0, 2)),
         velocity=np.zeros((8, 0, 2)),
         radius=np.zeros((8, 0)),

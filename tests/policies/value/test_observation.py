@@ -1,6 +1,5 @@
 """Laws of the robot-centred features."""
 
-import dataclasses
 import math
 
 import numpy as np
@@ -19,14 +18,14 @@ def scene():
 def turned(state, angle, shift):
     """Return the worlds turned and shifted as a whole."""
     turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
-    return dataclasses.replace(
-        state,
-        robot_position=state.robot_position @ turn + shift,
-        robot_velocity=state.robot_velocity @ turn,
-        robot_heading=state.robot_heading + angle,
-        robot_goal=state.robot_goal @ turn + shift,
-        position=state.position @ turn + shift,
-        velocity=state.velocity @ turn,
+    return state.with_robot(
+        position=state.robot.position @ turn + shift,
+        velocity=state.robot.velocity @ turn,
+        heading=state.robot.heading + angle,
+        goal=state.robot.goal @ turn + shift,
+    ).with_agents(
+        position=state.agents.position @ turn + shift,
+        velocity=state.agents.velocity @ turn,
     )
 
 
@@ -42,10 +41,13 @@ def test_turning_and_shifting_the_world_changes_nothing(kinematics):
 def test_features_are_those_of_the_definition():
     state, _ = scene()
     seen = observe(state)
-    ahead = state.robot_goal[3] - state.robot_position[3]
+    ahead = state.robot.goal[3] - state.robot.position[3]
     axis = ahead / np.linalg.norm(ahead)
     side = np.array([-axis[1], axis[0]])
-    velocity, offset = state.robot_velocity[3], state.position[3, 4] - state.robot_position[3]
+    velocity, offset = (
+        state.robot.velocity[3],
+        state.agents.position[3, 4] - state.robot.position[3],
+    )
     assert np.allclose(
         seen.robot[3],
         [np.linalg.norm(ahead), 1.0, 0.0, 0.3, velocity @ axis, velocity @ side],
@@ -56,11 +58,11 @@ def test_features_are_those_of_the_definition():
         [
             offset @ axis,
             offset @ side,
-            state.velocity[3, 4] @ axis,
-            state.velocity[3, 4] @ side,
-            state.radius[3, 4],
+            state.agents.velocity[3, 4] @ axis,
+            state.agents.velocity[3, 4] @ side,
+            state.agents.radius[3, 4],
             np.linalg.norm(offset),
-            state.radius[3, 4] + 0.3,
+            state.agents.radius[3, 4] + 0.3,
         ],
         atol=1e-6,
     )
@@ -68,13 +70,13 @@ def test_features_are_those_of_the_definition():
 
 def test_the_features_of_padding_are_zero_whatever_it_holds():
     state, _ = scene()
-    state.valid[:, 2] = False
-    state.position[:, 2] = np.nan
+    state.agents.valid[:, 2] = False
+    state.agents.position[:, 2] = np.nan
     seen = observe(state)
     assert (seen.others[:, 2] == 0).all() and not seen.mask[:, 2].any()
 
 
 def test_a_robot_on_its_goal_has_finite_features():
     state, _ = scene()
-    state.robot_goal[:] = state.robot_position
+    state.robot.goal[:] = state.robot.position
     assert np.isfinite(observe(state).robot).all() and np.isfinite(observe(state).others).all()

@@ -1,14 +1,12 @@
 """Laws of the screening of actions."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 
 from socialnav_core.config import PolicyConfig, ScreeningConfig
 from socialnav_core.policies.value.screening import safe_actions
 from socialnav_core.simulation.kinematics import action_set
-from socialnav_core.states import CrowdState
+from socialnav_core.states import Agents, CrowdState, Robot
 
 SCREENING = ScreeningConfig(enabled=True)
 
@@ -18,17 +16,21 @@ def world(position, velocity=(0.0, 0.0), static=False, bounds=np.inf):
     position = np.array([position], float).reshape(1, -1, 2)
     count = position.shape[1]
     return CrowdState(
-        robot_position=np.zeros((1, 2)),
-        robot_velocity=np.zeros((1, 2)),
-        robot_heading=np.zeros(1),
-        robot_radius=np.array([0.3]),
-        robot_preferred_speed=np.ones(1),
-        robot_goal=np.array([[9.0, 0.0]]),
-        position=position,
-        velocity=np.broadcast_to(np.array(velocity, float), position.shape).copy(),
-        radius=np.full((1, count), 0.3),
-        static=np.full((1, count), static),
-        valid=np.ones((1, count), bool),
+        Robot(
+            position=np.zeros((1, 2)),
+            velocity=np.zeros((1, 2)),
+            heading=np.zeros(1),
+            radius=np.array([0.3]),
+            preferred_speed=np.ones(1),
+            goal=np.array([[9.0, 0.0]]),
+        ),
+        Agents(
+            position=position,
+            velocity=np.broadcast_to(np.array(velocity, float), position.shape).copy(),
+            radius=np.full((1, count), 0.3),
+            static=np.full((1, count), static),
+            valid=np.ones((1, count), bool),
+        ),
         bounds=np.array([bounds], float),
         time=np.zeros(1),
     )
@@ -37,12 +39,14 @@ def world(position, velocity=(0.0, 0.0), static=False, bounds=np.inf):
 def safe(state, kinematics='holonomic', exact=False, config=SCREENING):
     """Return the safe commands, (n, 2), and whether each of all commands is."""
     commands = action_set(PolicyConfig(kinematics=kinematics))
-    mask = safe_actions(state, commands[None], state.velocity, kinematics, 0.25, config, exact)[0]
+    mask = safe_actions(
+        state, commands[None], state.agents.velocity, kinematics, 0.25, config, exact
+    )[0]
     return commands[mask], mask
 
 
 def test_alone_everything_is_safe():
-    state = dataclasses.replace(world((5.0, 0.0)), valid=np.zeros((1, 1), bool))
+    state = world((5.0, 0.0)).with_agents(valid=np.zeros((1, 1), bool))
     assert safe(state)[1].all()
 
 

@@ -18,7 +18,7 @@ class StallingPolicy:
 
     def act(self, state):
         """Return the command."""
-        if state.robot_position[0, 0] > 1.0:
+        if state.robot.position[0, 0] > 1.0:
             time.sleep(STALL)
         return np.array([[0.5, 0.0]])
 

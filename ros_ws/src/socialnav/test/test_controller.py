@@ -128,7 +128,7 @@ def test_obstacles_do_not_age_unless_that_is_wanted(policy):
 
 def test_a_position_that_is_not_finite_gives_zero_velocity(policy):
     state = random_state(0)
-    state.position[0, 1, 0] = math.nan
+    state.agents.position[0, 1, 0] = math.nan
     decision = controller_of(policy, state=state).decide(SECOND)
     assert decision.command.tolist() == [0.0, 0.0]
     assert decision.reason.startswith('pedestrians: position')
@@ -188,20 +188,20 @@ def test_a_goal_that_was_typed_counts_again_after_it_was_cancelled_and_a_stamped
 
 def test_the_robot_stands_at_its_goal_until_there_is_another(policy):
     state = random_state(0)
-    state.robot_goal[:] = state.robot_position + 0.1
+    state.robot.goal[:] = state.robot.position + 0.1
     controller = controller_of(policy, state=state)
     assert controller.decide(SECOND).reason == 'goal reached' and controller.goal_reached
-    state.robot_goal[:] += 3.0
+    state.robot.goal[:] += 3.0
     give(controller, state, SECOND + 1)
     assert controller.decide(SECOND).reason is None and not controller.goal_reached
 
 
 def test_a_goal_reached_once_stays_reached(policy):
     state = random_state(0)
-    state.robot_goal[:] = state.robot_position + 0.1
+    state.robot.goal[:] = state.robot.position + 0.1
     controller = controller_of(policy, state=state)
     controller.decide(SECOND)
-    state.robot_position[:] += 1.0
+    state.robot.position[:] += 1.0
     give(controller, state, SECOND + 1, without=['goal_pose'])
     assert controller.decide(SECOND).reason == 'goal reached'
 
@@ -216,10 +216,10 @@ def test_a_repeated_goal_begins_no_new_run(policy):
 
 def test_another_goal_begins_a_new_run_even_where_it_has_the_stamp_of_the_one_before(policy):
     state = random_state(0)
-    state.robot_goal[:] = state.robot_position + 0.1
+    state.robot.goal[:] = state.robot.position + 0.1
     controller = controller_of(policy, state=state)
     assert controller.decide(SECOND).reason == 'goal reached'
-    state.robot_goal[:] += 3.0
+    state.robot.goal[:] += 3.0
     give(controller, state, SECOND)
     assert controller.decide(SECOND).reason is None and policy.resets == 2
 
@@ -228,9 +228,11 @@ def test_everybody_is_moved_to_the_moment_of_the_command(policy):
     state = random_state(0)
     controller_of(policy).decide(SECOND + SECOND // 5)
     seen = policy.states[0]
-    expected = state.robot_position + 0.2 * state.robot_velocity
-    np.testing.assert_allclose(seen.robot_position, expected, atol=1e-6)
-    np.testing.assert_allclose(seen.position, state.position + 0.2 * state.velocity, atol=1e-6)
+    expected = state.robot.position + 0.2 * state.robot.velocity
+    np.testing.assert_allclose(seen.robot.position, expected, atol=1e-6)
+    np.testing.assert_allclose(
+        seen.agents.position, state.agents.position + 0.2 * state.agents.velocity, atol=1e-6
+    )
 
 
 def test_the_time_that_decisions_take_is_looked_ahead(policy):
@@ -239,8 +241,8 @@ def test_the_time_that_decisions_take_is_looked_ahead(policy):
     policy.duration = 0.05
     controller.decide(SECOND)
     controller.decide(SECOND)
-    expected = state.robot_position + 0.05 * state.robot_velocity
-    np.testing.assert_allclose(policy.states[1].robot_position, expected, atol=1e-6)
+    expected = state.robot.position + 0.05 * state.robot.velocity
+    np.testing.assert_allclose(policy.states[1].robot.position, expected, atol=1e-6)
 
 
 def test_a_decision_that_fails_gives_zero_velocity(policy):
@@ -264,7 +266,7 @@ def test_a_velocity_that_is_none_gives_zero_velocity(policy):
 
 def test_the_command_is_in_the_frame_of_the_robot(policy):
     state = random_state(0)
-    state.robot_heading[:] = math.pi / 2
+    state.robot.heading[:] = math.pi / 2
     command = controller_of(policy, state=state).decide(SECOND).command
     np.testing.assert_allclose(command, [0.0, -0.5], atol=1e-12)
 
@@ -278,7 +280,7 @@ def test_no_command_is_faster_than_the_robot(policy):
 def test_no_command_changes_the_velocity_faster_than_the_robot_can(policy):
     limits = Limits(1.0, 2.0, math.pi, 0.1)
     state = random_state(0)
-    state.robot_velocity[:], state.robot_heading[:] = 0.0, 0.0
+    state.robot.velocity[:], state.robot.heading[:] = 0.0, 0.0
     settings = dataclasses.replace(SETTINGS, limits=limits)
     command = controller_of(policy, settings, state=state).decide(SECOND).command
     np.testing.assert_allclose(command, [0.2, 0.0], atol=1e-12)
@@ -327,7 +329,7 @@ def test_after_nothing_but_stops_it_goes_silent_until_it_drives_again(policy):
 def test_only_the_nearest_agents_reach_the_policy(policy):
     settings = dataclasses.replace(SETTINGS, max_agents=2)
     controller_of(policy, settings).decide(SECOND)
-    assert policy.states[0].agents == 2
+    assert policy.states[0].agents.count == 2
 
 
 def test_in_lockstep_a_state_is_complete_when_all_four_have_one_stamp(policy):
@@ -354,7 +356,7 @@ def test_in_lockstep_a_repeated_state_gets_the_same_answer_without_a_decision(po
 
 def test_in_lockstep_nothing_ages_and_nothing_is_extrapolated(policy):
     controller_of(policy, LOCKSTEP).decide(99 * SECOND)
-    np.testing.assert_array_equal(policy.states[0].position, random_state(0).position)
+    np.testing.assert_array_equal(policy.states[0].agents.position, random_state(0).agents.position)
 
 
 def test_in_lockstep_a_break_of_the_clock_begins_a_new_run(policy):

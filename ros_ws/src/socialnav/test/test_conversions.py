@@ -9,11 +9,9 @@ from worlds import BODY, messages_of, random_state
 from socialnav.messages.conversions import (
     ConversionError,
     crowd_state,
-    nearest_agents,
     quaternion_of,
     rotate,
 )  # fmt: skip
-from socialnav_core.states import CROWD_STATE_FIELDS
 
 
 def back(messages: dict, time: float = 0.5):
@@ -26,15 +24,15 @@ def back(messages: dict, time: float = 0.5):
 def test_state_to_messages_to_state_is_the_identity(seed):
     state = random_state(seed)
     again = back(messages_of(state))
-    for name in CROWD_STATE_FIELDS:
-        expected, actual = getattr(state, name), getattr(again, name)
+    for name, expected in state.arrays().items():
+        actual = again.arrays()[name]
         assert expected.shape == actual.shape and expected.dtype == actual.dtype, name
         np.testing.assert_allclose(actual, expected, rtol=0, atol=1e-12, err_msg=name)
 
 
 def test_a_world_without_agents_is_a_world():
     state = back(messages_of(random_state(0, pedestrians=0, obstacles=0)))
-    assert state.position.shape == (1, 0, 2) and state.static.shape == (1, 0)
+    assert state.agents.position.shape == (1, 0, 2) and state.agents.static.shape == (1, 0)
 
 
 def test_obstacles_may_be_missing():
@@ -44,8 +42,8 @@ def test_obstacles_may_be_missing():
 
 def test_the_twist_of_odometry_is_in_the_frame_of_the_robot():
     state = random_state(0)
-    state.robot_heading[:] = math.pi / 2
-    state.robot_velocity[:] = [0.0, 1.0]
+    state.robot.heading[:] = math.pi / 2
+    state.robot.velocity[:] = [0.0, 1.0]
     linear = messages_of(state)['odom'].twist.twist.linear
     assert (linear.x, linear.y) == pytest.approx((1.0, 0.0))
 
@@ -94,17 +92,3 @@ def test_an_orientation_that_was_never_set_is_refused():
     messages['odom'].pose.pose.orientation.w = 0.0
     with pytest.raises(ConversionError, match='orientation'):
         back(messages)
-
-
-def test_the_nearest_agents_are_kept_in_their_order():
-    state = random_state(0, pedestrians=4, obstacles=0)
-    state.robot_position[:] = 0.0
-    state.position[0] = [[9.0, 0.0], [2.0, 0.0], [8.0, 0.0], [1.0, 0.0]]
-    assert nearest_agents(state, 2).position[0, :, 0].tolist() == [2.0, 1.0]
-
-
-def test_the_rim_of_a_large_agent_counts_and_not_its_centre():
-    state = random_state(0, pedestrians=2, obstacles=0)
-    state.robot_position[:] = 0.0
-    state.position[0], state.radius[0] = [[3.0, 0.0], [4.0, 0.0]], [0.2, 2.0]
-    assert nearest_agents(state, 1).radius[0].tolist() == [2.0]

@@ -1,6 +1,5 @@
 """What goes wrong around a robot must stop it, and what only looks odd must not."""
 
-import dataclasses
 import math
 
 from driving import Drive
@@ -101,16 +100,16 @@ def drives_among_any_number(drive):
     drive.moves(random_state(0, pedestrians=0, obstacles=0), 'nobody at all')
     drive.moves(random_state(0), 'one id for all', change=duplicate)
     crowd = random_state(0, pedestrians=500)
-    crowd = dataclasses.replace(crowd, position=crowd.position + 40.0)
+    crowd = crowd.with_agents(position=crowd.agents.position + 40.0)
     drive.moves(crowd, '500 pedestrians')
 
 
 def test_a_goal_within_an_obstacle_is_approached_and_nothing_breaks(drive):
     state = random_state(0, pedestrians=0, obstacles=1)
-    state.position[:] = state.robot_goal[:, None]
+    state.agents.position[:] = state.robot.goal[:, None]
     drive.moves(state)
-    beside = state.robot_goal - np.array([[state.radius[0, 0] + 0.31, 0.0]])
-    state = dataclasses.replace(state, robot_position=beside, robot_velocity=np.zeros((1, 2)))
+    beside = state.robot.goal - np.array([[state.agents.radius[0, 0] + 0.31, 0.0]])
+    state = state.with_robot(position=beside, velocity=np.zeros((1, 2)))
     drive.commands.clear()
     for _ in range(20):
         drive.robot.publish(state)
@@ -125,18 +124,18 @@ def test_a_goal_that_changes_ten_times_a_second_is_followed(drive):
     drive.commands.clear()
     for number in range(20):
         angle = number * 0.3
-        goal = state.robot_position + 5.0 * np.array([[math.cos(angle), math.sin(angle)]])
-        drive.robot.publish(dataclasses.replace(state, robot_goal=goal))
+        goal = state.robot.position + 5.0 * np.array([[math.cos(angle), math.sin(angle)]])
+        drive.robot.publish(state.with_robot(goal=goal))
         drive.graph.spin(0.1)
     assert len(drive.commands) > 10 and all(map(speed, drive.commands[1:]))
 
 
 def test_an_obstacle_that_appears_in_the_way_is_not_driven_into(drive):
     free = random_state(0, pedestrians=0, obstacles=1)
-    free.robot_position[:], free.robot_velocity[:], free.robot_heading[:] = 0.0, 0.0, 0.0
-    free.robot_goal[:], free.radius[:] = [[5.0, 0.0]], 0.5
-    free.position[:] = [[[0.0, 5.0]]]
-    blocked = dataclasses.replace(free, position=np.array([[[1.0, 0.0]]]))
+    free.robot.position[:], free.robot.velocity[:], free.robot.heading[:] = 0.0, 0.0, 0.0
+    free.robot.goal[:], free.agents.radius[:] = [[5.0, 0.0]], 0.5
+    free.agents.position[:] = [[[0.0, 5.0]]]
+    blocked = free.with_agents(position=np.array([[[1.0, 0.0]]]))
     for state, may_go_on in ((free, True), (blocked, False), (free, True)):
 
         def reacts(state=state, may_go_on=may_go_on):

@@ -12,8 +12,8 @@ from socialnav.messages.conversions import crowd_state, quaternion_of
 from socialnav_core.sensing import HERE, Pose
 
 PLACEMENT = Pose(1.0, -2.0, 0.7)
-VECTORS = ('robot_velocity', 'velocity')
-POINTS = ('robot_position', 'robot_goal', 'position')
+VECTORS = ('robot.velocity', 'agents.velocity')
+POINTS = ('robot.position', 'robot.goal', 'agents.position')
 
 
 def test_a_placement_finds_again_what_it_placed():
@@ -44,10 +44,10 @@ def test_a_world_told_in_another_frame_is_the_same_world():
         BODY, 'odom', locate=lambda frame, source, stamp: PLACEMENT,
     )  # fmt: skip
     for name in POINTS:
-        np.testing.assert_allclose(getattr(state, name), PLACEMENT.placed(getattr(told, name)))
+        np.testing.assert_allclose(state.arrays()[name], PLACEMENT.placed(told.arrays()[name]))
     for name in VECTORS:
-        np.testing.assert_allclose(getattr(state, name), PLACEMENT.turned(getattr(told, name)))
-    np.testing.assert_allclose(np.sin(state.robot_heading - told.robot_heading), np.sin(0.7))
+        np.testing.assert_allclose(state.arrays()[name], PLACEMENT.turned(told.arrays()[name]))
+    np.testing.assert_allclose(np.sin(state.robot.heading - told.robot.heading), np.sin(0.7))
 
 
 def test_what_moves_is_placed_at_its_stamp_and_what_stands_by_the_newest_placement():

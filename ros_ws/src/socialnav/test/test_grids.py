@@ -54,9 +54,9 @@ def test_cells_of_a_turned_grid_are_where_its_origin_puts_them():
 def test_the_cells_of_a_map_lie_on_its_obstacles_and_walls():
     state = random_state(2)
     points = grid_points(map_message(state, SECOND, 'odom'), 65, np.zeros(2), np.inf)
-    static = state.static[0]
-    gap = np.linalg.norm(points[:, None] - state.position[0, static], axis=-1)
-    on_something = (gap <= state.radius[0, static]).any(axis=1)
+    static = state.agents.static[0]
+    gap = np.linalg.norm(points[:, None] - state.agents.position[0, static], axis=-1)
+    on_something = (gap <= state.agents.radius[0, static]).any(axis=1)
     on_something |= np.abs(points).max(axis=1) > state.bounds[0]
     assert len(points) > 100 and on_something.all()
 
@@ -128,23 +128,28 @@ def controller_with_map(policy, state, **changes):
 
 def test_every_obstacle_near_the_robot_is_found_again_in_the_map(policy):
     state = random_state(3, pedestrians=2, obstacles=2)
-    state.position[0, 2:] = state.robot_position[0] + [(2.0, 0.0), (0.0, -3.0)]
+    state.agents.position[0, 2:] = state.robot.position[0] + [(2.0, 0.0), (0.0, -3.0)]
     controller_with_map(policy, state).decide(SECOND)
     seen = policy.states[0]
-    discs, radii = seen.position[0, seen.static[0]], seen.radius[0, seen.static[0]]
-    robot = state.robot_position[0]
-    for centre, radius in zip(state.position[0, 2:], state.radius[0, 2:], strict=True):
+    discs, radii = (
+        seen.agents.position[0, seen.agents.static[0]],
+        seen.agents.radius[0, seen.agents.static[0]],
+    )
+    robot = state.robot.position[0]
+    for centre, radius in zip(
+        state.agents.position[0, 2:], state.agents.radius[0, 2:], strict=True
+    ):
         on_it = np.linalg.norm(discs - centre, axis=1) < radius + radii
         clearance = (np.linalg.norm(discs - robot, axis=1) - radii)[on_it].min()
         assert abs(clearance - (np.linalg.norm(centre - robot) - radius)) < 0.15
-    assert seen.static[0].sum() > 2 and (~seen.static[0]).sum() == 2
+    assert seen.agents.static[0].sum() > 2 and (~seen.agents.static[0]).sum() == 2
 
 
 def test_what_the_map_shows_takes_no_place_from_people(policy):
     state = random_state(3, pedestrians=5, obstacles=1)
-    state.position[0, 5] = state.robot_position[0] + (0.5, 0.0)
+    state.agents.position[0, 5] = state.robot.position[0] + (0.5, 0.0)
     controller_with_map(policy, state, max_agents=5).decide(SECOND)
-    assert (~policy.states[0].static[0]).sum() == 5
+    assert (~policy.states[0].agents.static[0]).sum() == 5
 
 
 def test_without_the_map_the_robot_stands(policy):
@@ -156,4 +161,4 @@ def test_a_map_that_is_not_wanted_changes_nothing(policy):
     controller = controller_of(policy)
     controller.store('map', grid_of([(14, 10)]))
     controller.decide(SECOND)
-    assert policy.states[0].agents == 5
+    assert policy.states[0].agents.count == 5

@@ -27,13 +27,13 @@ def places(path):
 def test_a_path_begins_at_the_robot_and_is_as_long_as_the_way_of_a_second():
     state = random_state(0)
     found = places(predicted_path(state, np.array([0.3, -0.4]), 'holonomic', 7, 'odom'))
-    np.testing.assert_allclose(found[0], state.robot_position[0])
+    np.testing.assert_allclose(found[0], state.robot.position[0])
     np.testing.assert_allclose(found[-1] - found[0], [0.3, -0.4])
 
 
 def test_the_path_of_a_differential_drive_is_an_arc():
     state = random_state(0)
-    state.robot_heading[:] = 0.0
+    state.robot.heading[:] = 0.0
     found = places(predicted_path(state, np.array([0.5, math.pi]), 'differential', 7, 'odom'))
     np.testing.assert_allclose(found[-1] - found[0], [0.0, 1.0 / math.pi], atol=1e-9)
 

@@ -21,8 +21,8 @@ WALL = 2.0
 def state_at(position=(0.0, 0.0), heading=0.0, pedestrians=0):
     """Return a world with a robot that stands somewhere."""
     state = random_state(0, pedestrians=pedestrians, obstacles=2)
-    state.robot_position[:], state.robot_velocity[:] = position, 0.0
-    state.robot_heading[:] = heading
+    state.robot.position[:], state.robot.velocity[:] = position, 0.0
+    state.robot.heading[:] = heading
     return state
 
 
@@ -84,7 +84,11 @@ def test_a_scan_in_free_space_is_no_obstacle():
 def walker(stamp, velocity=1.0, x=WALL):
     """Return one pedestrian on the x axis."""
     state = state_at(pedestrians=1)
-    state.position[0, 0], state.velocity[0, 0], state.radius[0, 0] = (x, 0), (velocity, 0), 0.3
+    state.agents.position[0, 0], state.agents.velocity[0, 0], state.agents.radius[0, 0] = (
+        (x, 0),
+        (velocity, 0),
+        0.3,
+    )
     return agents_message(state, False, stamp, 'odom')
 
 
@@ -121,11 +125,17 @@ def test_surfaces_beyond_the_bounds_do_not_count():
 
 def test_a_grid_shows_obstacles_no_nearer_than_a_cell_and_no_farther_than_they_are():
     state = state_at((0.0, 0.0))
-    state.position[0], state.radius[0], state.bounds[:] = [(3, 0), (0, -4)], [1.0, 0.5], np.inf
+    state.agents.position[0], state.agents.radius[0], state.bounds[:] = (
+        [(3, 0), (0, -4)],
+        [1.0, 0.5],
+        np.inf,
+    )
     robot = finder(source='grid', sectors=360)
     robot.store_grid(map_message(state, 0, 'odom'))
     found = np.linalg.norm(rims(robot.of_grid()), axis=1)
-    true, _ = cast_rays(np.zeros(2), beam_angles(3600), state.position[0], state.radius[0])
+    true, _ = cast_rays(
+        np.zeros(2), beam_angles(3600), state.agents.position[0], state.agents.radius[0]
+    )
     assert true.min() - 0.15 < found.min() <= true.min()
 
 

@@ -22,7 +22,7 @@ class Robot:
     def __init__(self, graph, **parameters):
         self.graph = graph
         self.state = random_state(0, pedestrians=0, obstacles=1)
-        self.state.position[:] = self.state.robot_position + [[[2.0, 1.0]]]
+        self.state.agents.position[:] = self.state.robot.position + [[[2.0, 1.0]]]
         create = graph.node.create_publisher
         self.odometry = create(Odometry, 'odom', qos.ODOMETRY)
         grid = parameters.get('source') == 'grid'
@@ -59,15 +59,15 @@ class Robot:
     def clearance(self, message):
         """Return how near the nearest disc is to the centre of the robot."""
         centres = np.array([(one.position.x, one.position.y) for one in message.agents])
-        distance = np.linalg.norm(centres - self.state.robot_position[0], axis=1)
+        distance = np.linalg.norm(centres - self.state.robot.position[0], axis=1)
         return (distance - [one.radius for one in message.agents]).min()
 
 
 def test_a_scan_becomes_discs_with_the_clearance_of_the_obstacle(graph):
     robot = Robot(graph, bounds=7.0)
-    robot.state.robot_velocity[:] = 0.0
+    robot.state.robot.velocity[:] = 0.0
     message = robot.answered(robot.measure)
-    expected = np.hypot(2.0, 1.0) - robot.state.radius[0, 0]
+    expected = np.hypot(2.0, 1.0) - robot.state.agents.radius[0, 0]
     assert robot.clearance(message) == pytest.approx(expected, abs=0.01)
     assert message.header.frame_id == 'odom'
 
@@ -92,7 +92,7 @@ def test_a_grid_becomes_discs_whenever_the_robot_is_somewhere_else(graph):
     robot = Robot(graph, source='grid', grid_frame='map', bounds=7.0)
     robot.surfaces.publish(map_message(robot.state, robot.now(), 'map'))
     clearance = robot.clearance(robot.answered(robot.tell_place))
-    expected = np.hypot(2.0, 1.0) - robot.state.radius[0, 0]
+    expected = np.hypot(2.0, 1.0) - robot.state.agents.radius[0, 0]
     assert expected - 0.15 < clearance < expected + 0.05
 
 

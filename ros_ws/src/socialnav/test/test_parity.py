@@ -32,7 +32,7 @@ def offline(policy, scenario, case):
         state, _, terminated, truncated, info = simulator.step(policy.act(state))
         ended = bool(terminated[0] or truncated[0])
     outcome = OUTCOMES[Outcome(int(info['outcome'][0]))]
-    return outcome, int(info['steps'][0]), state.robot_position[0]
+    return outcome, int(info['steps'][0]), state.robot.position[0]
 
 
 @pytest.fixture(scope='module')

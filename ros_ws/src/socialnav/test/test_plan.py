@@ -127,22 +127,22 @@ def controller_on(plan, **changes):
 
 def straight_plan(state):
     """Return a plan that goes around a corner to the goal."""
-    start, goal = state.robot_position[0], state.robot_goal[0]
+    start, goal = state.robot.position[0], state.robot.goal[0]
     return plan_of([tuple(start), (start[0], goal[1]), tuple(goal)])
 
 
 def test_the_policy_is_given_the_next_point_of_the_plan_for_its_goal():
     controller, policy, state = controller_on(straight_plan)
     assert controller.decide(SECOND).reason is None
-    expected = state.robot_position + [[0.0, 1.0]]
-    np.testing.assert_allclose(policy.states[0].robot_goal, expected)
+    expected = state.robot.position + [[0.0, 1.0]]
+    np.testing.assert_allclose(policy.states[0].robot.goal, expected)
     assert controller.plan.note == FOLLOWED
 
 
 def test_a_run_on_a_plan_ends_at_the_goal_and_not_at_a_point_of_the_plan():
     controller, policy, state = controller_on(straight_plan, goal_tolerance=1.2)
     assert controller.decide(SECOND).reason is None and not controller.goal_reached
-    state.robot_position[:] = state.robot_goal + 1.0 / math.sqrt(2)
+    state.robot.position[:] = state.robot.goal + 1.0 / math.sqrt(2)
     give(controller, state, SECOND, without=['goal_pose'])
     assert controller.decide(SECOND).reason == 'goal reached'
 
@@ -150,17 +150,17 @@ def test_a_run_on_a_plan_ends_at_the_goal_and_not_at_a_point_of_the_plan():
 def test_a_plan_ages_only_where_that_is_wanted():
     for timeout, note in ((0.0, FOLLOWED), (3.0, 'ignored: plan older than 3 s')):
         controller, policy, state = controller_on(
-            lambda state: plan_of([tuple(state.robot_goal[0])], stamp=SECOND), plan_timeout=timeout
+            lambda state: plan_of([tuple(state.robot.goal[0])], stamp=SECOND), plan_timeout=timeout
         )
         give(controller, state, 9 * SECOND, without=['goal_pose'])
         assert controller.decide(9 * SECOND).reason is None
         assert controller.plan.note == note
-        np.testing.assert_array_equal(policy.states[0].robot_goal, state.robot_goal)
+        np.testing.assert_array_equal(policy.states[0].robot.goal, state.robot.goal)
 
 
 def test_without_a_plan_the_goal_is_headed_for():
     policy, state = Recorder(), random_state(0)
     controller = controller_of(policy, state=state)
     controller.decide(SECOND)
-    np.testing.assert_array_equal(policy.states[0].robot_goal, state.robot_goal)
+    np.testing.assert_array_equal(policy.states[0].robot.goal, state.robot.goal)
     assert controller.plan.note == NO_PLAN

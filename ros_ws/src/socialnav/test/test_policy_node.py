@@ -1,6 +1,5 @@
 """Laws of the policy node, over the middleware."""
 
-import dataclasses
 import math
 import signal
 
@@ -71,7 +70,7 @@ def test_bad_inputs_stop_the_robot_and_good_ones_let_it_go_on(graph):
     robot = Robot(graph)
     robot.wait()
     good, bad = random_state(0), random_state(0)
-    bad.position[0, 0, 0] = math.nan
+    bad.agents.position[0, 0, 0] = math.nan
     for state, frame, moves in (
         (good, 'odom', True), (bad, 'odom', False), (good, 'odom', True), (good, 'camera', False),
     ):  # fmt: skip
@@ -102,7 +101,7 @@ def test_the_end_of_a_run_is_announced_and_the_robot_stands(graph):
     robot = Robot(graph)
     robot.wait()
     state = random_state(0)
-    state.robot_goal[:] = state.robot_position + 0.1
+    state.robot.goal[:] = state.robot.position + 0.1
 
     def publish():
         robot.publish(state)
@@ -164,9 +163,9 @@ def test_the_robot_leaves_the_straight_way_to_follow_a_plan_and_says_so(graph):
     robot, state = Robot(graph), random_state(0, pedestrians=0, obstacles=0)
     robot.wait()
     graph.wait(plans.get_subscription_count, 'subscriber of the plan')
-    state.robot_heading[:], state.robot_velocity[:] = 0.0, 0.0
-    state.robot_goal[:] = state.robot_position + [[5.0, 0.0]]
-    start, goal = state.robot_position[0], state.robot_goal[0]
+    state.robot.heading[:], state.robot.velocity[:] = 0.0, 0.0
+    state.robot.goal[:] = state.robot.position + [[5.0, 0.0]]
+    start, goal = state.robot.position[0], state.robot.goal[0]
     detour, elsewhere = [start, start + (0.0, 4.0), goal], [start, goal + (0.0, 4.0)]
     for corners, note, direction in (
         (detour, 'followed', (0.0, 1.0)),
@@ -192,9 +191,9 @@ def test_what_the_map_shows_is_no_longer_driven_into(graph):
     graph.start('policy_node', model='orca', use_map=True)
     robot, state = Robot(graph), random_state(0, pedestrians=0, obstacles=1)
     robot.wait()
-    state.robot_heading[:], state.robot_velocity[:] = 0.0, 0.0
-    state.robot_goal[:] = state.robot_position + [[5.0, 0.0]]
-    state.position[:], state.radius[:] = state.robot_position + [[0.9, 0.0]], 0.5
+    state.robot.heading[:], state.robot.velocity[:] = 0.0, 0.0
+    state.robot.goal[:] = state.robot.position + [[5.0, 0.0]]
+    state.agents.position[:], state.agents.radius[:] = state.robot.position + [[0.9, 0.0]], 0.5
 
     def told(message, speeds):
         robot.publish(state, without=['obstacles'])
@@ -203,7 +202,7 @@ def test_what_the_map_shows_is_no_longer_driven_into(graph):
         return commands and reason == message and speeds(commands[-1].linear.x)
 
     graph.wait(lambda: told('no map', lambda speed: speed == 0.0), 'stop without a map')
-    free = dataclasses.replace(state, position=state.position + 50.0)
+    free = state.with_agents(position=state.agents.position + 50.0)
     maps.publish(map_message(free, 0, 'odom'))
     graph.wait(lambda: told('driving', lambda speed: speed > 0.9), 'motion where nothing is')
     maps.publish(map_message(state, 0, 'odom'))

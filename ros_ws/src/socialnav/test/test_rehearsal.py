@@ -127,7 +127,7 @@ def test_a_rehearsal_that_fails_leaves_it_to_the_decision_to_tell():
     give(controller, random_state(0), SECOND)
     controller.decide(SECOND)
     state = random_state(0)
-    state.robot_position[:] = math.nan
+    state.robot.position[:] = math.nan
     give(controller, state, SECOND)
     controller.rehearse()
     assert controller.decide(SECOND).reason.startswith('odom: position')

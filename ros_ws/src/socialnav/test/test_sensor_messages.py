@@ -70,7 +70,7 @@ def test_agents_without_velocities_are_detections_too(locator):
     message = agents_message(state, False, SECOND, 'odom')
     for agent in message.agents:
         agent.velocity.x = math.nan
-    expected = state.position[0][~state.static[0]]
+    expected = state.agents.position[0][~state.agents.static[0]]
     np.testing.assert_array_equal(detected(message, locator), expected)
 
 

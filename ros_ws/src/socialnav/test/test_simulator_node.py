@@ -71,12 +71,12 @@ def test_the_published_world_is_the_simulated_one(graph):
     state = Simulator(make_scenario('hard'), batch_size=1).reset(seed=4, cases=[0])
     seen = [*pedestrians[0].agents, *obstacles[0].agents]
     positions = [(agent.position.x, agent.position.y) for agent in seen]
-    np.testing.assert_array_equal(positions, state.position[0])
-    np.testing.assert_array_equal([agent.radius for agent in seen], state.radius[0])
+    np.testing.assert_array_equal(positions, state.agents.position[0])
+    np.testing.assert_array_equal([agent.radius for agent in seen], state.agents.radius[0])
     assert [agent.id for agent in seen] == list(range(10))
     goal = goals[0].pose.position
-    assert place(odometry[0]) == tuple(state.robot_position[0])
-    assert (goal.x, goal.y) == tuple(state.robot_goal[0])
+    assert place(odometry[0]) == tuple(state.robot.position[0])
+    assert (goal.x, goal.y) == tuple(state.robot.goal[0])
 
 
 def advance(graph, odometry, publisher, **command):
@@ -145,7 +145,7 @@ def test_a_case_can_be_started_by_name_and_a_wrong_one_is_refused(graph):
     assert graph.call(StartEpisode, 'simulator_node/start_episode', request).success
     start = Simulator(make_scenario('simple'), batch_size=1).reset(seed=9, cases=[5])
     graph.wait(lambda: place(odometry[-1]) != before, 'other case')
-    assert place(odometry[-1]) == tuple(start.robot_position[0])
+    assert place(odometry[-1]) == tuple(start.robot.position[0])
     request.scenario = 'nowhere'
     refusal = graph.call(StartEpisode, 'simulator_node/start_episode', request)
     assert not refusal.success and 'nowhere' in refusal.message
@@ -259,7 +259,7 @@ def test_a_scan_and_detections_are_of_the_state_with_their_stamp(graph):
     ranges = Sensors(ScannerSettings(90), DetectorSettings(), 4, 0).scan(state)
     np.testing.assert_allclose(scans[0].ranges, ranges, rtol=1e-6)
     seen = sorted((pose.position.x, pose.position.y) for pose in detections[0].poses)
-    assert seen == sorted(map(tuple, state.position[0][~state.static[0]]))
+    assert seen == sorted(map(tuple, state.agents.position[0][~state.agents.static[0]]))
     assert scans[0].header.stamp == detections[0].header.stamp
 
 
@@ -269,4 +269,4 @@ def test_noise_of_sensors_does_not_change_the_world(graph):
     simulator = Simulator(make_scenario('hard'), batch_size=1)
     simulator.reset(seed=4, cases=[0])
     state = simulator.step(np.array([[1.0, 0.0]]))[0]
-    np.testing.assert_allclose(place(odometry[-1]), state.robot_position[0], atol=1e-9)
+    np.testing.assert_allclose(place(odometry[-1]), state.robot.position[0], atol=1e-9)

@@ -1,6 +1,5 @@
 """A decision or a clock that does not go on must not leave the robot to itself."""
 
-import dataclasses
 from pathlib import Path
 import sys
 import time
@@ -45,9 +44,9 @@ class SimulatedTime:
 def test_a_decision_that_stalls_stops_the_robot_while_it_lasts(graph):
     drive = Drive(graph).start([sys.executable, str(STALLING_NODE)])
     state = random_state(0)
-    state.robot_position[:] = 0.0
+    state.robot.position[:] = 0.0
     drive.moves(state)
-    beyond = dataclasses.replace(state, robot_position=np.array([[2.0, 0.0]]))
+    beyond = state.with_robot(position=np.array([[2.0, 0.0]]))
     drive.stands('the decision hangs', beyond, 'a stalling decision', SINCE_DECISION)
     drive.moves(state)
 

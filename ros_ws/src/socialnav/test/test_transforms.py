@@ -48,8 +48,8 @@ def test_the_simulator_tells_where_the_robot_is_and_once_where_the_map_is():
     moving = topics.sent['/tf'][1].transforms[0]
     assert (moving.header.frame_id, moving.child_frame_id) == ('odom', 'base_link')
     placement = placement_of_transform(moving)
-    assert (placement.x, placement.y) == tuple(state.robot_position[0])
-    assert placement.heading == pytest.approx(float(state.robot_heading[0]))
+    assert (placement.x, placement.y) == tuple(state.robot.position[0])
+    assert placement.heading == pytest.approx(float(state.robot.heading[0]))
 
 
 def test_a_transform_is_where_the_child_lies_in_the_parent():

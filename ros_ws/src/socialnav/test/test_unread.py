@@ -38,7 +38,7 @@ def test_an_input_that_was_not_read_counts_like_one_that_was(name):
     decision, expected = controller.decide(SECOND), controller_of(other).decide(SECOND)
     assert decision.reason is expected.reason is None
     assert decision.command.tolist() == expected.command.tolist()
-    assert policy.states[0].position.tolist() == other.states[0].position.tolist()
+    assert policy.states[0].agents.position.tolist() == other.states[0].agents.position.tolist()
 
 
 def test_bytes_that_are_no_message_stop_the_robot_and_the_next_message_lets_it_go_on(graph):

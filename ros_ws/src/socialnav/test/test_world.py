@@ -16,8 +16,8 @@ def world():
 
 def straight(world):
     """Return a command towards the goal."""
-    way = world.state.robot_goal[0] - world.state.robot_position[0]
-    angle = -world.state.robot_heading[0]
+    way = world.state.robot.goal[0] - world.state.robot.position[0]
+    angle = -world.state.robot.heading[0]
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     return turn @ (way / np.linalg.norm(way))
 
@@ -31,12 +31,12 @@ def run(world, duration):
 
 
 def test_commands_are_in_the_frame_of_the_robot(world):
-    before = world.state.robot_position[0].copy()
+    before = world.state.robot.position[0].copy()
     world.drive(np.array([1.0, 0.0]))
     world.advance(0.25)
-    heading = world.state.robot_heading[0]
+    heading = world.state.robot.heading[0]
     expected = before + 0.25 * np.array([np.cos(heading), np.sin(heading)])
-    np.testing.assert_allclose(world.state.robot_position[0], expected, atol=1e-12)
+    np.testing.assert_allclose(world.state.robot.position[0], expected, atol=1e-12)
 
 
 def test_the_clock_shows_simulated_time(world):
@@ -56,7 +56,7 @@ def test_pedestrians_walk_alike_however_time_is_cut(duration):
         assert world.episode is None
     for _ in range(8):
         state = simulator.step(np.zeros((1, 2)))[0]
-    np.testing.assert_allclose(world.state.position, state.position, atol=1e-9)
+    np.testing.assert_allclose(world.state.agents.position, state.agents.position, atol=1e-9)
 
 
 def test_an_answer_to_another_state_is_ignored(world):
@@ -69,11 +69,11 @@ def test_an_answer_to_another_state_is_ignored(world):
 def test_the_last_state_of_an_episode_stays_for_one_advance(world):
     assert world.fresh
     episode = run(world, 0.25)
-    final = world.state.robot_position.copy()
+    final = world.state.robot.position.copy()
     assert not world.fresh and episode.case_index == 0
     world.advance(0.25)
     assert world.fresh and world.episode is None
-    assert np.linalg.norm(world.state.robot_position - final) > 1.0
+    assert np.linalg.norm(world.state.robot.position - final) > 1.0
 
 
 def test_the_clock_breaks_between_episodes(world):
@@ -108,7 +108,7 @@ def test_a_robot_without_commands_brakes(world):
     speeds = []
     for _ in range(15):
         world.advance(0.05)
-        speeds.append(np.linalg.norm(world.state.robot_velocity))
+        speeds.append(np.linalg.norm(world.state.robot.velocity))
     assert speeds[9] == pytest.approx(0.1) and speeds[-1] == 0.0
 
 
@@ -122,4 +122,4 @@ def test_a_paused_world_stands(world):
 def test_a_goal_can_be_moved(world):
     world.set_goal(np.array([1.0, 2.0]))
     world.advance(0.25)
-    assert world.state.robot_goal[0].tolist() == [1.0, 2.0]
+    assert world.state.robot.goal[0].tolist() == [1.0, 2.0]

@@ -116,7 +116,7 @@ def test_the_demo_keeps_what_was_published_as_a_bag(result):
     assert heard['/odom'].keys() >= heard['/cmd_vel'].keys()
     place = next(iter(heard['/odom'].values())).pose.pose.position
     start = Simulator(make_scenario('hard'), batch_size=1).reset(seed=0, cases=[0])
-    assert (place.x, place.y) == tuple(start.robot_position[0])
+    assert (place.x, place.y) == tuple(start.robot.position[0])
 
 
 def test_a_demo_that_cannot_write_says_so_before_it_starts(tmp_path):

@@ -8,7 +8,7 @@ from socialnav.messages.conversions import (
     odometry_message,
     RobotBody,
 )
-from socialnav_core.states import CrowdState
+from socialnav_core.states import Agents, CrowdState, Robot
 
 BODY = RobotBody(radius=0.3, preferred_speed=1.0, bounds=7.5)
 
@@ -21,17 +21,21 @@ def random_state(seed: int, pedestrians: int = 3, obstacles: int = 2) -> CrowdSt
     velocity = generator.normal(size=(1, agents, 2))
     velocity[static] = 0.0
     return CrowdState(
-        robot_position=generator.normal(size=(1, 2)),
-        robot_velocity=generator.normal(size=(1, 2)),
-        robot_heading=generator.uniform(-np.pi, np.pi, 1),
-        robot_radius=np.array([BODY.radius]),
-        robot_preferred_speed=np.array([BODY.preferred_speed]),
-        robot_goal=generator.normal(size=(1, 2)) + 5.0,
-        position=generator.normal(scale=3.0, size=(1, agents, 2)),
-        velocity=velocity,
-        radius=generator.uniform(0.2, 0.5, (1, agents)),
-        static=static,
-        valid=np.ones((1, agents), dtype=bool),
+        Robot(
+            position=generator.normal(size=(1, 2)),
+            velocity=generator.normal(size=(1, 2)),
+            heading=generator.uniform(-np.pi, np.pi, 1),
+            radius=np.array([BODY.radius]),
+            preferred_speed=np.array([BODY.preferred_speed]),
+            goal=generator.normal(size=(1, 2)) + 5.0,
+        ),
+        Agents(
+            position=generator.normal(scale=3.0, size=(1, agents, 2)),
+            velocity=velocity,
+            radius=generator.uniform(0.2, 0.5, (1, agents)),
+            static=static,
+            valid=np.ones((1, agents), dtype=bool),
+        ),
         bounds=np.array([BODY.bounds]),
         time=np.array([0.5]),
     )

@@ -15,7 +15,7 @@ from socialnav.control.reasons import ARRIVED, STALLED
 from socialnav.control.runs import Run
 from socialnav.control.settings import ControllerSettings
 from socialnav.control.tally import Tally
-from socialnav.messages.conversions import ConversionError, crowd_state, nearest_agents, rotate
+from socialnav.messages.conversions import ConversionError, crowd_state, rotate
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.grids import grid_discs, with_discs
 from socialnav_core.policies import Policy, ValuePolicy
@@ -176,7 +176,7 @@ class Controller:
         if reason is not None:
             return NO_COMMAND, reason
         state = self._known_state(now)
-        distance = np.linalg.norm(state.robot_goal[0] - state.robot_position[0])
+        distance = np.linalg.norm(state.robot.goal[0] - state.robot.position[0])
         self.goal_reached = self.goal_reached or bool(distance < self.settings.goal_tolerance)
         if self.goal_reached:
             return NO_COMMAND, ARRIVED
@@ -191,7 +191,7 @@ class Controller:
             self.goal_reached = False
             self._policy.reset()
         state.time[:] = self._run.time
-        return self._with_map(nearest_agents(state, settings.max_agents))
+        return self._with_map(state.nearest(settings.max_agents))
 
     def _read_state(self, locate: Locate) -> CrowdState:
         """Return the world as the inputs tell it, at their own times."""
@@ -209,21 +209,21 @@ class Controller:
         if not self.settings.use_map:
             return state
         grid, frame = self._inputs.newest('map'), self.settings.planning_frame
-        return with_discs(state, *grid_discs(grid, state.robot_position[0], frame, self._locate))
+        return with_discs(state, *grid_discs(grid, state.robot.position[0], frame, self._locate))
 
     def _on_plan(self, state: CrowdState, now: int) -> CrowdState:
         """Return the state with the next point of the plan for its goal, where there is a plan."""
         settings = self.settings
         point = self.plan.heading_point(
             self._inputs.newest('plan'),
-            state.robot_position[0],
-            state.robot_goal[0],
+            state.robot.position[0],
+            state.robot.goal[0],
             settings.plan_lookahead_distance,
             settings.planning_frame,
             self._locate,
             self._inputs.plan_complaint(now, settings),
         )
-        return dataclasses.replace(state, robot_goal=np.asarray(point)[None])
+        return state.with_robot(goal=np.asarray(point)[None])
 
     def _coming_state(self, state: CrowdState, now: int) -> CrowdState:
         """Return the state at the moment when a command that is chosen now takes effect."""
@@ -259,7 +259,7 @@ class Controller:
         """Return a command as the robot takes it."""
         if self.settings.kinematics == 'differential':
             return command
-        return rotate(command, -float(state.robot_heading[0]))
+        return rotate(command, -float(state.robot.heading[0]))
 
     def _to_be_published(self, reason: str | None) -> bool:
         """Return whether a decision is worth a message; count how long the robot has stood."""

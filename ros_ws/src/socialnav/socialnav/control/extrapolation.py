@@ -1,7 +1,5 @@
 """Where everybody will be when a command takes effect."""
 
-import dataclasses
-
 import numpy as np
 
 from socialnav_core.states import CrowdState
@@ -18,10 +16,8 @@ def extrapolate(
     :param robot_turn_rate: of the robot, rad/s.
     :param pedestrian_lag: age of the pedestrians' positions at that moment, s.
     """
-    moved = state.velocity * np.where(state.static, 0.0, pedestrian_lag)[..., None]
-    return dataclasses.replace(
-        state,
-        robot_position=state.robot_position + state.robot_velocity * robot_lag,
-        robot_heading=state.robot_heading + robot_turn_rate * robot_lag,
-        position=state.position + moved,
-    )
+    moved = state.agents.velocity * np.where(state.agents.static, 0.0, pedestrian_lag)[..., None]
+    return state.with_robot(
+        position=state.robot.position + state.robot.velocity * robot_lag,
+        heading=state.robot.heading + robot_turn_rate * robot_lag,
+    ).with_agents(position=state.agents.position + moved)

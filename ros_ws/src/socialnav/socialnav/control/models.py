@@ -14,7 +14,7 @@ from socialnav.control.settings import ControllerSettings
 from socialnav.messages.conversions import RobotBody
 from socialnav_core.config import ConfigError
 from socialnav_core.policies import load_policy, Policy, ValuePolicy
-from socialnav_core.states import CrowdState
+from socialnav_core.states import Agents, CrowdState, Robot
 
 BASELINES = ('orca', 'straight_line')
 """Policies that are no models: nothing is looked up for them."""
@@ -97,17 +97,21 @@ def example_state(body: RobotBody) -> CrowdState:
     :param body: of the robot.
     """
     return CrowdState(
-        robot_position=np.zeros((1, 2)),
-        robot_velocity=np.zeros((1, 2)),
-        robot_heading=np.zeros(1),
-        robot_radius=np.array([body.radius]),
-        robot_preferred_speed=np.array([body.preferred_speed]),
-        robot_goal=np.array([[4.0, 0.0]]),
-        position=np.array([[[2.0, 1.0], [2.0, -1.0]]]),
-        velocity=np.array([[[-1.0, 0.0], [0.0, 0.0]]]),
-        radius=np.full((1, 2), 0.3),
-        static=np.array([[False, True]]),
-        valid=np.ones((1, 2), dtype=bool),
+        Robot(
+            position=np.zeros((1, 2)),
+            velocity=np.zeros((1, 2)),
+            heading=np.zeros(1),
+            radius=np.array([body.radius]),
+            preferred_speed=np.array([body.preferred_speed]),
+            goal=np.array([[4.0, 0.0]]),
+        ),
+        Agents(
+            position=np.array([[[2.0, 1.0], [2.0, -1.0]]]),
+            velocity=np.array([[[-1.0, 0.0], [0.0, 0.0]]]),
+            radius=np.full((1, 2), 0.3),
+            static=np.array([[False, True]]),
+            valid=np.ones((1, 2), dtype=bool),
+        ),
         bounds=np.array([body.bounds]),
         time=np.zeros(1),
     )

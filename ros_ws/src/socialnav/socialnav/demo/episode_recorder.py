@@ -97,6 +97,6 @@ def cause(state: CrowdState) -> str:
 
     :param state: batch of one, at the end of the episode.
     """
-    offset = state.position[0] - state.robot_position[0]
-    gap = np.hypot(offset[:, 0], offset[:, 1]) - state.radius[0]
-    return 'collision_obstacle' if state.static[0, gap.argmin()] else 'collision_pedestrian'
+    offset = state.agents.position[0] - state.robot.position[0]
+    gap = np.hypot(offset[:, 0], offset[:, 1]) - state.agents.radius[0]
+    return 'collision_obstacle' if state.agents.static[0, gap.argmin()] else 'collision_pedestrian'

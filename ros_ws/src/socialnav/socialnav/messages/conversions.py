@@ -11,7 +11,7 @@ from std_msgs.msg import Header
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.stamps import header_message, nanoseconds_of
 from socialnav_core.sensing import HERE, Pose
-from socialnav_core.states import CrowdState
+from socialnav_core.states import Agents, CrowdState, Robot
 from socialnav_msgs.msg import AgentState, AgentStates
 
 
@@ -74,7 +74,7 @@ def agents_message(state: CrowdState, static: bool, nanoseconds: int, frame: str
     :param nanoseconds: time of the state.
     :param frame: frame of the state.
     """
-    chosen = np.flatnonzero(state.valid[0] & (state.static[0] == static))
+    chosen = np.flatnonzero(state.agents.valid[0] & (state.agents.static[0] == static))
     return AgentStates(
         header=header_message(nanoseconds, frame),
         agents=[agent_message(state, index) for index in chosen.tolist()],
@@ -88,13 +88,13 @@ def agent_message(state: CrowdState, index: int) -> AgentState:
     :param state: the world.
     :param index: place of the agent.
     """
-    x, y = state.position[0, index].tolist()
-    velocity_x, velocity_y = state.velocity[0, index].tolist()
+    x, y = state.agents.position[0, index].tolist()
+    velocity_x, velocity_y = state.agents.velocity[0, index].tolist()
     return AgentState(
         id=index,
         position=Point(x=x, y=y),
         velocity=Vector3(x=velocity_x, y=velocity_y),
-        radius=float(state.radius[0, index]),
+        radius=float(state.agents.radius[0, index]),
     )
 
 
@@ -111,11 +111,11 @@ def odometry_message(
     :param turn_rate: of the robot, rad/s.
     """
     message = Odometry(header=header_message(nanoseconds, frame), child_frame_id=base_frame)
-    heading = float(state.robot_heading[0])
-    x, y = state.robot_position[0].tolist()
+    heading = float(state.robot.heading[0])
+    x, y = state.robot.position[0].tolist()
     message.pose.pose.position = Point(x=x, y=y)
     message.pose.pose.orientation = quaternion_of(heading)
-    velocity_x, velocity_y = rotate(state.robot_velocity[0], -heading).tolist()
+    velocity_x, velocity_y = rotate(state.robot.velocity[0], -heading).tolist()
     message.twist.twist.linear = Vector3(x=velocity_x, y=velocity_y)
     message.twist.twist.angular.z = turn_rate
     return message
@@ -130,7 +130,7 @@ def goal_message(state: CrowdState, nanoseconds: int, frame: str) -> PoseStamped
     :param frame: frame of the state.
     """
     message = PoseStamped(header=header_message(nanoseconds, frame))
-    x, y = state.robot_goal[0].tolist()
+    x, y = state.robot.goal[0].tolist()
     message.pose.position = Point(x=x, y=y)
     message.pose.orientation.w = 1.0
     return message
@@ -164,17 +164,21 @@ def crowd_state(
     standing = agent_arrays('obstacles', obstacles, frame, static=True, locate=locate)
     agents = [np.concatenate(pair)[None] for pair in zip(walking, standing, strict=True)]
     return CrowdState(
-        robot_position=position[None],
-        robot_velocity=velocity[None],
-        robot_heading=np.array([heading]),
-        robot_radius=np.array([float(body.radius)]),
-        robot_preferred_speed=np.array([float(body.preferred_speed)]),
-        robot_goal=goal_array(goal, frame, locate)[None],
-        position=agents[0],
-        velocity=agents[1],
-        radius=agents[2],
-        static=agents[3],
-        valid=np.ones(agents[3].shape, dtype=bool),
+        Robot(
+            position=position[None],
+            velocity=velocity[None],
+            heading=np.array([heading]),
+            radius=np.array([float(body.radius)]),
+            preferred_speed=np.array([float(body.preferred_speed)]),
+            goal=goal_array(goal, frame, locate)[None],
+        ),
+        Agents(
+            position=agents[0],
+            velocity=agents[1],
+            radius=agents[2],
+            static=agents[3],
+            valid=np.ones(agents[3].shape, dtype=bool),
+        ),
         bounds=np.array([float(body.bounds)]),
         time=np.array([float(time)]),
     )
@@ -280,22 +284,3 @@ def finite(name: str, quantity: str, numbers: list) -> np.ndarray:
     if not np.isfinite(array).all():
         raise ConversionError(f'{name}: {quantity} with NaN or infinity')
     return array
-
-
-def nearest_agents(state: CrowdState, max_agents: int) -> CrowdState:
-    """
-    Return the state with only the agents nearest to the robot, in their order.
-
-    :param state: batch of one.
-    :param max_agents: number of agents to keep, by the gap between rim and centre.
-    """
-    if state.agents <= max_agents:
-        return state
-    offset = state.position[0] - state.robot_position[0]
-    gap = np.hypot(offset[:, 0], offset[:, 1]) - state.radius[0]
-    kept = np.sort(np.argsort(gap, kind='stable')[:max_agents])
-    chosen = {
-        name: np.take(getattr(state, name), kept, axis=1)
-        for name in ('position', 'velocity', 'radius', 'static', 'valid')
-    }
-    return dataclasses.replace(state, **chosen)

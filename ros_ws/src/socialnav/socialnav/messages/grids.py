@@ -9,7 +9,7 @@ import numpy as np
 from socialnav.messages.conversions import ConversionError, finite, heading_of, placement_of
 from socialnav.messages.frames import Locate, not_asked
 from socialnav_core.sensing import grid_returns, Pose, SurfaceSettings, surrounding_discs
-from socialnav_core.states import CrowdState
+from socialnav_core.states import Agents, CrowdState
 
 HALF_DIAGONAL = 0.5**0.5
 """Of a cell, in sides: a surface may be so much nearer than the centre of its cell."""
@@ -70,18 +70,14 @@ def with_discs(state: CrowdState, centres: np.ndarray, radii: np.ndarray) -> Cro
     :param radii: m, (discs,).
     """
     count = len(radii)
-    more = {
-        'position': centres,
-        'velocity': np.zeros((count, 2)),
-        'radius': radii,
-        'static': np.ones(count, dtype=bool),
-        'valid': np.ones(count, dtype=bool),
-    }
-    joined = {
-        name: np.concatenate([getattr(state, name), array[None]], axis=1)
-        for name, array in more.items()
-    }
-    return dataclasses.replace(state, **joined)
+    discs = Agents(
+        centres[None],
+        np.zeros((1, count, 2)),
+        radii[None],
+        static=np.ones((1, count), dtype=bool),
+        valid=np.ones((1, count), dtype=bool),
+    )
+    return dataclasses.replace(state, agents=state.agents.append(discs))
 
 
 def corner_of(grid: OccupancyGrid) -> Pose:

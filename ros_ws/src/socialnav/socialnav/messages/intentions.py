@@ -31,9 +31,9 @@ def predicted_path(
     header = header_message(nanoseconds, frame)
     path = Path(header=header)
     for time in PATH_TIMES:
-        displacement, _, heading = move_robot(kinematics, state.robot_heading[0], command, time)
+        displacement, _, heading = move_robot(kinematics, state.robot.heading[0], command, time)
         pose = PoseStamped(header=header)
-        pose.pose.position = point(state.robot_position[0] + displacement, 0.0)
+        pose.pose.position = point(state.robot.position[0] + displacement, 0.0)
         pose.pose.orientation = quaternion_of(float(heading))
         path.poses.append(pose)
     return path
@@ -52,9 +52,9 @@ def attention_markers(
     """
     header = header_message(nanoseconds, frame)
     markers = [Marker(header=header, action=Marker.DELETEALL)]
-    for index in np.flatnonzero(state.valid[0]).tolist():
-        radius = 1.5 * float(state.radius[0, index])
-        marker = disc(header, 'attention', index, state.position[0, index], radius)
+    for index in np.flatnonzero(state.agents.valid[0]).tolist():
+        radius = 1.5 * float(state.agents.radius[0, index])
+        marker = disc(header, 'attention', index, state.agents.position[0, index], radius)
         color = marker.color  # shared by all discs of this kind
         marker.color = ColorRGBA(r=color.r, g=color.g, b=color.b, a=float(weights[index]))
         markers.append(marker)

@@ -32,16 +32,16 @@ def world_markers(
     """
     header = header_message(nanoseconds, frame)
     markers = [Marker(header=header, action=Marker.DELETEALL)]
-    for index in np.flatnonzero(state.valid[0]).tolist():
-        name = 'obstacles' if state.static[0, index] else 'pedestrians'
-        centre, radius = state.position[0, index], float(state.radius[0, index])
+    for index in np.flatnonzero(state.agents.valid[0]).tolist():
+        name = 'obstacles' if state.agents.static[0, index] else 'pedestrians'
+        centre, radius = state.agents.position[0, index], float(state.agents.radius[0, index])
         markers.append(disc(header, name, index, centre, radius))
-        if not state.static[0, index]:
-            markers.append(arrow(header, name, index, centre, state.velocity[0, index]))
-    robot, goal = state.robot_position[0], state.robot_goal[0]
+        if not state.agents.static[0, index]:
+            markers.append(arrow(header, name, index, centre, state.agents.velocity[0, index]))
+    robot, goal = state.robot.position[0], state.robot.goal[0]
     markers.append(disc(header, 'goal', 0, goal, goal_tolerance))
-    markers.append(disc(header, 'robot', 0, robot, float(state.robot_radius[0])))
-    markers.append(arrow(header, 'robot', 0, robot, state.robot_velocity[0]))
+    markers.append(disc(header, 'robot', 0, robot, float(state.robot.radius[0])))
+    markers.append(arrow(header, 'robot', 0, robot, state.robot.velocity[0]))
     return MarkerArray(markers=markers)
 
 

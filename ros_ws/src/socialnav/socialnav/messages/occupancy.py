@@ -42,7 +42,11 @@ def extent(state: CrowdState) -> float:
     """
     if np.isfinite(state.bounds[0]):
         return float(state.bounds[0]) + MARGIN
-    points = [state.robot_position[0], state.robot_goal[0], *state.position[0][state.valid[0]]]
+    points = [
+        state.robot.position[0],
+        state.robot.goal[0],
+        *state.agents.position[0][state.agents.valid[0]],
+    ]
     return float(np.abs(points).max()) + MARGIN
 
 
@@ -56,7 +60,10 @@ def occupied(state: CrowdState, cells: int) -> np.ndarray:
     centres = (np.arange(cells) + 0.5 - cells / 2) * RESOLUTION
     x, y = np.meshgrid(centres, centres)
     taken = np.maximum(np.abs(x), np.abs(y)) > state.bounds[0]
-    for index in np.flatnonzero(state.valid[0] & state.static[0]):
-        (centre_x, centre_y), radius = state.position[0, index], state.radius[0, index]
+    for index in np.flatnonzero(state.agents.valid[0] & state.agents.static[0]):
+        (centre_x, centre_y), radius = (
+            state.agents.position[0, index],
+            state.agents.radius[0, index],
+        )
         taken |= np.hypot(x - centre_x, y - centre_y) <= radius
     return taken

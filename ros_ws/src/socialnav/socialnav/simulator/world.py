@@ -165,7 +165,7 @@ class World:
             return np.zeros(2)
         if self.scenario.kinematics == 'differential':
             return self._command
-        return rotate(self._command, float(self.state.robot_heading[0]))
+        return rotate(self._command, float(self.state.robot.heading[0]))
 
     def _ended(self, info: dict[str, Any]) -> Episode:
         """Return the record of the episode that the latest step ended."""
