@@ -37,7 +37,7 @@ def test_a_world_without_agents_is_a_world():
 
 def test_obstacles_may_be_missing():
     messages = messages_of(random_state(0)) | {'obstacles': None}
-    assert back(messages).agents == 3
+    assert back(messages).agents.count == 3
 
 
 def test_the_twist_of_odometry_is_in_the_frame_of_the_robot():
