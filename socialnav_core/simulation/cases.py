@@ -7,6 +7,7 @@ import numpy as np
 
 from socialnav_core.compilation import compiled
 from socialnav_core.config import Scenario
+from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.simulation.layout import (
     layout_settings,
     packing_message,
@@ -162,7 +163,7 @@ class Episodes:
             state.time,
         ):
             array[worlds] = 0.0
-        if self.scenario.kinematics == 'differential':  # a holonomic robot's heading is arbitrary
+        if kinematics_of(self.scenario.kinematics).has_heading:  # elsewhere it is arbitrary
             ahead = state.robot.goal[worlds] - state.robot.position[worlds]
             state.robot.heading[worlds] = np.arctan2(ahead[:, 1], ahead[:, 0])
 

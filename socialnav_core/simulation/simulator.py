@@ -9,7 +9,7 @@ import numpy as np
 from socialnav_core.config import ConfigError, require, require_choice, Scenario
 from socialnav_core.simulation.cases import Episodes
 from socialnav_core.simulation.crowds.pedestrians import decide_velocities, renew_goals
-from socialnav_core.simulation.kinematics import move_robot
+from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.simulation.motion import move_worlds, TIME_TOLERANCE
 from socialnav_core.simulation.rewards import Outcome, reward_settings, step_outcomes
 from socialnav_core.states import CrowdState
@@ -43,6 +43,7 @@ class Simulator:
         require(batch_size >= 1, f'batch_size must be at least 1, not {batch_size}')
         require_choice('autoreset', autoreset, AUTORESETS)
         self.scenario = scenario
+        self.kinematics = kinematics_of(scenario.kinematics)
         self.batch_size = batch_size
         self.autoreset = autoreset
         self._episodes = Episodes(scenario, batch_size)
@@ -106,8 +107,8 @@ class Simulator:
         """
         command = self._checked(command)
         velocities, episodes, scenario = self._decide(), self._episodes, self.scenario
-        displacement, robot_velocity, heading = move_robot(
-            scenario.kinematics, episodes.state.robot.heading, command, duration
+        displacement, robot_velocity, heading = self.kinematics.move(
+            episodes.state.robot.heading, command, duration
         )
         judged = step_outcomes(
             episodes.state, displacement[:, None], velocities, duration, self._settings

@@ -59,7 +59,7 @@ def collect_demonstrations(
     demonstrator.reset()
     steps, outcome = [], np.zeros(episodes, np.int64)
     while simulator.active.any():
-        seen = observe(state, simulator.scenario.kinematics)
+        seen = observe(state, simulator.kinematics)
         state, reward, terminated, truncated, info = simulator.step(demonstrator.act(state))
         ended = info['active'] & (terminated | truncated)
         outcome[info['case_index'][ended]] = info['outcome'][ended]

@@ -11,6 +11,7 @@ from socialnav_core.policies.value.checkpoint import (
     checkpoint_digest,
     load_checkpoint,
 )
+from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.training.progress import CSV_NAME
 
 METRICS_NAME = 'metrics.json'
@@ -120,12 +121,12 @@ def description(config: Config, parameters: int, digest: str) -> str:
     policy = config.policy
     count = f'{policy.heads} head{"s" * (policy.heads > 1)}'
     heads = f' with {count}' if policy.network.startswith('gat4sn') else ''
-    turns = 'headings' if policy.kinematics == 'holonomic' else 'turn rates'
+    directions = kinematics_of(policy.kinematics).directions
     return (
         f'Value network {NETWORKS[policy.network]}{heads}, {parameters:,} parameters. Each '
         f'{policy.time_step:g} s a one-step look-ahead ({policy.lookahead}) tries '
         f'{policy.speeds * policy.headings + 1} actions ({policy.speeds} speeds x '
-        f'{policy.headings} {turns} and stop; {policy.kinematics}) and takes the one of the '
+        f'{policy.headings} {directions} and stop; {policy.kinematics}) and takes the one of the '
         f'largest reward plus discounted value. Screening of unsafe actions: '
         f'{"on" if policy.screening.enabled else "off"}.\n\n'
         f'SHA-256 of the weights: `{digest}`'

@@ -58,7 +58,7 @@ def collect(
     observations, next_observations, flows, ended_episodes = [], [], [], []
     best_values = [decision.maximum()]
     for _ in range(steps):
-        observations.append(observe(simulator.state, policy.kinematics))
+        observations.append(observe(simulator.state, policy.motion))
         action = explore(decision, epsilon, generator)
         command = decision.commands[worlds, action]
         state, reward, terminated, truncated, info = simulator.step(command)
@@ -72,7 +72,7 @@ def collect(
         }
         flows.append(flow)
         if frozen:
-            next_observations.append(observe(info['final_state'], policy.kinematics))
+            next_observations.append(observe(info['final_state'], policy.motion))
         ended = terminated | truncated
         ended_episodes.append([info[name][ended] for name in ('case_index', 'outcome', 'time')])
         decision = policy.decide(state)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from mcap_ros2.writer import Writer
 
+from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.viewing import bag_messages as messages
 from socialnav_core.viewing.bag_markers import world_markers
 from socialnav_core.viewing.recording import Recording
@@ -55,10 +56,10 @@ def all_messages(recording: Recording) -> Iterator[tuple[str, messages.Message, 
 
     :param recording: made by `record`.
     """
-    commands, differential = recording.commands or [], recording.kinematics == 'differential'
+    commands, kinematics = recording.commands or [], kinematics_of(recording.kinematics)
     for step, state in enumerate(recording.states):
         stamp = START + round(float(state.time[0]) * 1e9)
-        turn_rate = float(commands[step - 1][1]) if differential and step else 0.0
+        turn_rate = kinematics.twist(commands[step - 1])[2] if commands and step else 0.0
         yield 'goal_pose', messages.goal(state, stamp), stamp
         yield 'obstacles', messages.agent_states(state, True, stamp), stamp
         yield 'pedestrians', messages.agent_states(state, False, stamp), stamp
@@ -66,6 +67,6 @@ def all_messages(recording: Recording) -> Iterator[tuple[str, messages.Message, 
         yield 'markers', world_markers(state, recording.goal_tolerance, stamp), stamp
         if step < len(commands):
             heading = float(state.robot.heading[0])
-            command = messages.command(commands[step], heading, recording.kinematics, stamp)
+            command = messages.command(commands[step], heading, kinematics, stamp)
             yield 'cmd_vel', command, stamp
     yield 'episode_result', messages.episode_result(recording, stamp), stamp

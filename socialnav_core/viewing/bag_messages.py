@@ -5,6 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from socialnav_core.simulation.kinematics import Kinematics
+from socialnav_core.simulation.kinematics.angles import rotated
 from socialnav_core.states import CrowdState
 from socialnav_core.viewing.recording import Recording
 
@@ -45,18 +47,6 @@ def rotation(heading: float) -> Message:
     return {'x': 0.0, 'y': 0.0, 'z': math.sin(heading / 2), 'w': math.cos(heading / 2)}
 
 
-def in_base_frame(velocity: np.ndarray, heading: float) -> np.ndarray:
-    """
-    Return a velocity of the world in the robot's own frame, (2,).
-
-    :param velocity: (2,).
-    :param heading: of the robot, rad.
-    """
-    cosine, sine = math.cos(-heading), math.sin(-heading)
-    x, y = velocity.tolist()
-    return np.array([cosine * x - sine * y, sine * x + cosine * y])
-
-
 def agent_states(state: CrowdState, static: bool, nanoseconds: int) -> Message:
     """
     Return pedestrians, or obstacles, as a socialnav_msgs/AgentStates.
@@ -88,7 +78,7 @@ def odometry(state: CrowdState, turn_rate: float, nanoseconds: int) -> Message:
     """
     heading = float(state.robot.heading[0])
     pose = {'position': vector(state.robot.position[0]), 'orientation': rotation(heading)}
-    linear = vector(in_base_frame(state.robot.velocity[0], heading))
+    linear = vector(rotated(state.robot.velocity[0], -heading))
     twist = {'linear': linear, 'angular': vector(np.zeros(2), turn_rate)}
     return {
         'header': header(nanoseconds),
@@ -109,20 +99,18 @@ def goal(state: CrowdState, nanoseconds: int) -> Message:
     return {'header': header(nanoseconds), 'pose': pose}
 
 
-def command(chosen: np.ndarray, heading: float, kinematics: str, nanoseconds: int) -> Message:
+def command(
+    chosen: np.ndarray, heading: float, kinematics: Kinematics, nanoseconds: int
+) -> Message:
     """
     Return a command of the robot as a geometry_msgs/TwistStamped.
 
     :param chosen: (vx, vy) in the world frame or speed and turn rate, (2,).
     :param heading: of the robot, rad.
-    :param kinematics: holonomic or differential.
     :param nanoseconds: time of the state that it answers.
     """
-    if kinematics == 'differential':
-        forward, turn_rate = chosen.tolist()
-        twist = {'linear': vector(np.array([forward, 0.0])), 'angular': {'z': turn_rate}}
-    else:
-        twist = {'linear': vector(in_base_frame(chosen, heading))}
+    forward, left, turn_rate = kinematics.twist(kinematics.to_base(chosen, heading))
+    twist = {'linear': vector(np.array([forward, left])), 'angular': {'z': turn_rate}}
     return {'header': header(nanoseconds, BASE_FRAME), 'twist': twist}
 
 

@@ -11,8 +11,7 @@ from socialnav_core.config import PolicyConfig, ScreeningConfig
 from socialnav_core.policies import build_network, ValuePolicy
 from socialnav_core.policies.value.screening import safe_actions
 from socialnav_core.simulation import make_scenario, Simulator
-from socialnav_core.simulation.kinematics import action_set
-from socialnav_core.simulation.limits import Limits, present_command, reachable
+from socialnav_core.simulation.kinematics import Holonomic, kinematics_of, Limits
 
 NONE = Limits(1.0, math.inf, math.inf, 0.1)
 TIGHT = Limits(0.8, 1.0, 1.0, 0.1)
@@ -54,7 +53,7 @@ def test_every_candidate_is_within_the_limits(kinematics):
         # slower than the limit, since acceleration counts less than speed
         state = state.with_robot(velocity=0.7 * state.robot.velocity)
         commands = policy.decide(state).commands
-        present = present_command(kinematics, state)[:, None]
+        present = kinematics_of(kinematics).present_command(state.robot)[:, None]
         change = commands - present
         if kinematics == 'holonomic':
             assert np.linalg.norm(commands, axis=-1).max() <= 0.8 + 1e-6
@@ -69,15 +68,15 @@ def test_what_is_reachable_is_left_as_it_is(kinematics):
     policy = policy_of(kinematics)
     policy.limits = TIGHT
     for state in states_of(kinematics):
-        present = present_command(kinematics, state)
+        present = kinematics_of(kinematics).present_command(state.robot)
         command = policy.act(state)
-        again = reachable(kinematics, command, present, TIGHT, TIGHT.period)
+        again = kinematics_of(kinematics).reachable(command, present, TIGHT, TIGHT.period)
         np.testing.assert_allclose(again, command, rtol=0, atol=1e-12)
 
 
 def test_a_speed_limit_counts_more_than_the_acceleration():
     fast = np.array([[2.0, 0.0]])
-    np.testing.assert_allclose(reachable('holonomic', fast, fast, TIGHT, 0.1), [[0.8, 0.0]])
+    np.testing.assert_allclose(Holonomic().reachable(fast, fast, TIGHT, 0.1), [[0.8, 0.0]])
 
 
 def facing_an_obstacle(distance, speed):
@@ -100,10 +99,10 @@ def facing_an_obstacle(distance, speed):
 def safe_from(state, limits):
     """Return the candidates and which of them are safe."""
     config = PolicyConfig()
-    wanted = action_set(config)[None]
-    commands = reachable('holonomic', wanted, state.robot.velocity[:, None], limits, 0.1)
+    wanted = Holonomic().action_set(config)[None]
+    commands = Holonomic().reachable(wanted, state.robot.velocity[:, None], limits, 0.1)
     mask = safe_actions(
-        state, commands, state.agents.velocity, 'holonomic', config.time_step,
+        state, commands, state.agents.velocity, Holonomic(), config.time_step,
         ScreeningConfig(enabled=True), limits=limits, wanted=wanted,
     )  # fmt: skip
     return commands[0], mask[0]

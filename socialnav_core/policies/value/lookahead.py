@@ -10,8 +10,7 @@ from socialnav_core.config import ConfigError, PolicyConfig
 from socialnav_core.policies.value.inference import ValueInference
 from socialnav_core.policies.value.observation import observe, observe_candidates
 from socialnav_core.policies.value.screening import safe_actions
-from socialnav_core.simulation.kinematics import action_set, move_robot, scale_actions
-from socialnav_core.simulation.limits import Limits, present_command, reachable
+from socialnav_core.simulation.kinematics import kinematics_of, Limits
 from socialnav_core.simulation.rewards import Outcome, reward_settings, step_outcomes
 from socialnav_core.states import CrowdState
 
@@ -56,10 +55,11 @@ class ValuePolicy:
         self.network = network
         self.config = config
         self.kinematics = config.kinematics
+        self.motion = kinematics_of(config.kinematics)
         self.oracle: Callable[[], np.ndarray] | None = None
         self.limits: Limits | None = None
         self._inference = ValueInference(network, bfloat16)
-        self._actions = action_set(config)
+        self._actions = self.motion.action_set(config)
         self._settings = reward_settings(config.reward, config.goal_tolerance)
 
     def act(self, state: CrowdState) -> np.ndarray:
@@ -80,10 +80,10 @@ class ValuePolicy:
         """
         config = self.config
         velocities = self.predicted_velocities(state)
-        wanted = scale_actions(self.kinematics, self._actions, state.robot.preferred_speed)
+        wanted = self.motion.scale(self._actions, state.robot.preferred_speed)
         commands = self._reachable(state, wanted)
-        displacement, velocity, heading = move_robot(
-            self.kinematics, state.robot.heading[:, None], commands, config.time_step
+        displacement, velocity, heading = self.motion.move(
+            state.robot.heading[:, None], commands, config.time_step
         )
         reward, outcome, _, _ = step_outcomes(
             state, displacement, velocities, config.time_step, self._settings
@@ -95,7 +95,7 @@ class ValuePolicy:
             np.broadcast_to(heading, reward.shape),
             state.agents.position + velocities * config.time_step,
             velocities,
-            self.kinematics,
+            self.motion,
         )
         going = outcome == Outcome.NONE
         world = np.nonzero(going)[0]
@@ -131,7 +131,7 @@ class ValuePolicy:
 
         :param state: the worlds as they are.
         """
-        return self._inference.attention(observe(state, self.kinematics))
+        return self._inference.attention(observe(state, self.motion))
 
     def reset(self) -> None:
         """Do nothing: a decision depends on the present state alone."""
@@ -140,14 +140,14 @@ class ValuePolicy:
         """Return the commands nearest to those wanted that the limits allow."""
         if self.limits is None:
             return wanted
-        present = present_command(self.kinematics, state)[:, None]
-        return reachable(self.kinematics, wanted, present, self.limits, self.limits.period)
+        present = self.motion.present_command(state.robot)[:, None]
+        return self.motion.reachable(wanted, present, self.limits, self.limits.period)
 
     def _safe(
         self, state: CrowdState, commands: np.ndarray, velocities: np.ndarray, wanted: np.ndarray
     ) -> np.ndarray:
         """Return which actions may be chosen, bool (batch, actions)."""
         return safe_actions(
-            state, commands, velocities, self.kinematics, self.config.time_step,
+            state, commands, velocities, self.motion, self.config.time_step,
             self.config.screening, self.config.lookahead == 'oracle', self.limits, wanted,
         )  # fmt: skip

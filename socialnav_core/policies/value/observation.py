@@ -5,21 +5,20 @@ import math
 import numpy as np
 
 from socialnav_core.compilation import compiled
+from socialnav_core.simulation.kinematics import Holonomic, Kinematics
 from socialnav_core.states import CrowdState, Observation
 
 ROBOT_FEATURES = 6
 AGENT_FEATURES = 7
+HOLONOMIC = Holonomic()
 
 
-def observe(state: CrowdState, kinematics: str = 'holonomic') -> Observation:
+def observe(state: CrowdState, kinematics: Kinematics = HOLONOMIC) -> Observation:
     """
     Return the robot-centred features of each world: robot (batch, 6), others (batch, agents, 7).
 
     The origin is the robot and the x axis points at its goal. The heading feature is that of a
     differential drive, relative to the x axis; a holonomic robot's is zero.
-
-    :param state: the worlds.
-    :param kinematics: holonomic or differential.
     """
     seen = observe_candidates(
         state,
@@ -40,7 +39,7 @@ def observe_candidates(
     robot_heading: np.ndarray,
     position: np.ndarray,
     velocity: np.ndarray,
-    kinematics: str = 'holonomic',
+    kinematics: Kinematics = HOLONOMIC,
 ) -> Observation:
     """
     Return what each world would look like for several candidate states of its robot.
@@ -54,13 +53,12 @@ def observe_candidates(
     :param robot_heading: rad, (batch, candidates).
     :param position: of the agents, m, (batch, agents, 2).
     :param velocity: of the agents, m/s, (batch, agents, 2).
-    :param kinematics: holonomic or differential.
     """
     batch, candidates = robot_position.shape[:2]
     robot = np.empty((batch, candidates, ROBOT_FEATURES), np.float32)
     others = np.empty((batch, candidates, state.agents.count, AGENT_FEATURES), np.float32)
     _fill(
-        robot_position, robot_velocity, robot_heading, kinematics == 'differential',
+        robot_position, robot_velocity, robot_heading, kinematics.has_heading,
         state.robot.goal, state.robot.preferred_speed, state.robot.radius, position, velocity,
         state.agents.radius, state.agents.valid, robot, others,
     )  # fmt: skip

@@ -7,8 +7,7 @@ import numpy as np
 
 from socialnav_core.compilation import compiled
 from socialnav_core.config import ScreeningConfig
-from socialnav_core.simulation.kinematics import move_robot
-from socialnav_core.simulation.limits import Limits, mean_command, reachable
+from socialnav_core.simulation.kinematics import Kinematics, Limits
 from socialnav_core.simulation.rewards import swept_distance
 from socialnav_core.states import CrowdState
 
@@ -19,7 +18,7 @@ def safe_actions(
     state: CrowdState,
     commands: np.ndarray,
     agent_velocity: np.ndarray,
-    kinematics: str,
+    kinematics: Kinematics,
     time_step: float,
     config: ScreeningConfig,
     exact: bool = False,
@@ -38,7 +37,6 @@ def safe_actions(
     :param state: the worlds as they are.
     :param commands: candidate commands, (batch, actions, 2).
     :param agent_velocity: predicted velocities, m/s, (batch, agents, 2).
-    :param kinematics: holonomic or differential.
     :param time_step: how long an action lasts, s.
     :param config: horizon and margins.
     :param exact: whether the prediction is exact, so that pedestrians need no margin of their own.
@@ -49,9 +47,7 @@ def safe_actions(
     batch, actions = commands.shape[:2]
     ramp = None if limits is None or math.isinf(limits.acceleration) else limits
     gaps = distances_to_keep(state, agent_velocity, config, exact)
-    displacement, _, heading = move_robot(
-        kinematics, state.robot.heading[:, None], commands, time_step
-    )
+    displacement, _, heading = kinematics.move(state.robot.heading[:, None], commands, time_step)
     start = np.broadcast_to(state.robot.position[:, None], displacement.shape)
     first = is_free(
         state, start, displacement, state.agents.position, agent_velocity, time_step, gaps
@@ -64,7 +60,7 @@ def safe_actions(
     present = np.repeat(commands, actions, axis=1)
     escapes = np.tile(commands if ramp is None or wanted is None else wanted, (1, actions, 1))
     # a straight line is checked in one piece, an arc in pieces that are nearly straight
-    straight = kinematics == 'holonomic' and ramp is None
+    straight = kinematics.straight and ramp is None
     pieces = 1 if straight else max(1, round(config.horizon / time_step))
     duration = config.horizon / pieces
     free = np.ones((batch, actions * actions), bool)
@@ -77,7 +73,7 @@ def safe_actions(
 
 
 def motions(
-    kinematics: str,
+    kinematics: Kinematics,
     heading: np.ndarray,
     present: np.ndarray,
     commands: np.ndarray,
@@ -88,7 +84,6 @@ def motions(
     """
     Yield how far robots move in each piece of time, m, (batch, motions, 2).
 
-    :param kinematics: holonomic or differential.
     :param heading: at the beginning, rad, (batch, motions).
     :param present: commands at the beginning, (batch, motions, 2).
     :param commands: what they change to, (batch, motions, 2).
@@ -99,10 +94,10 @@ def motions(
     for _ in range(pieces):
         motion = commands
         if limits is not None:
-            following = reachable(kinematics, commands, present, limits, duration)
-            motion = mean_command(kinematics, present, following)
+            following = kinematics.reachable(commands, present, limits, duration)
+            motion = kinematics.mean_command(present, following)
             present = following
-        displacement, _, heading = move_robot(kinematics, heading, motion, duration)
+        displacement, _, heading = kinematics.move(heading, motion, duration)
         yield displacement
 
 

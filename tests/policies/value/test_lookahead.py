@@ -7,7 +7,7 @@ import torch
 from socialnav_core.config import ConfigError, PolicyConfig, ScreeningConfig
 from socialnav_core.policies import build_network, observe, ValuePolicy
 from socialnav_core.simulation import make_scenario, Outcome, Simulator
-from socialnav_core.simulation.kinematics import action_set
+from socialnav_core.simulation.kinematics import Holonomic
 
 
 @pytest.fixture(scope='module')
@@ -33,7 +33,7 @@ def test_the_value_of_an_action_is_what_the_simulator_then_does(network):
     policy.oracle = simulator.next_agent_velocities
     values = policy.decide(state).values
     memory = simulator.get_state()
-    for action, command in enumerate(action_set(config)):
+    for action, command in enumerate(Holonomic().action_set(config)):
         simulator.set_state(memory)
         _, reward, _, _, info = simulator.step(np.tile(command, (8, 1)))
         seen = observe(info['final_state'])

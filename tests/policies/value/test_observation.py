@@ -7,6 +7,7 @@ import pytest
 
 from socialnav_core.policies import observe
 from socialnav_core.simulation import make_scenario, Simulator
+from socialnav_core.simulation.kinematics import kinematics_of
 
 
 def scene():
@@ -32,8 +33,8 @@ def turned(state, angle, shift):
 @pytest.mark.parametrize('kinematics', ['holonomic', 'differential'])
 def test_turning_and_shifting_the_world_changes_nothing(kinematics):
     state, _ = scene()
-    before = observe(state, kinematics)
-    after = observe(turned(state, 0.7, np.array([3.0, -1.0])), kinematics)
+    before = observe(state, kinematics_of(kinematics))
+    after = observe(turned(state, 0.7, np.array([3.0, -1.0])), kinematics_of(kinematics))
     assert np.allclose(before.robot, after.robot, atol=1e-5)
     assert np.allclose(before.others, after.others, atol=1e-5)
 

@@ -5,7 +5,7 @@ import pytest
 
 from socialnav_core.config import PolicyConfig, ScreeningConfig
 from socialnav_core.policies.value.screening import safe_actions
-from socialnav_core.simulation.kinematics import action_set
+from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.states import Agents, CrowdState, Robot
 
 SCREENING = ScreeningConfig(enabled=True)
@@ -38,10 +38,11 @@ def world(position, velocity=(0.0, 0.0), static=False, bounds=np.inf):
 
 def safe(state, kinematics='holonomic', exact=False, config=SCREENING):
     """Return the safe commands, (n, 2), and whether each of all commands is."""
-    commands = action_set(PolicyConfig(kinematics=kinematics))
-    mask = safe_actions(
-        state, commands[None], state.agents.velocity, kinematics, 0.25, config, exact
-    )[0]
+    motion = kinematics_of(kinematics)
+    commands = motion.action_set(PolicyConfig(kinematics=kinematics))
+    mask = safe_actions(state, commands[None], state.agents.velocity, motion, 0.25, config, exact)[
+        0
+    ]
     return commands[mask], mask
 
 

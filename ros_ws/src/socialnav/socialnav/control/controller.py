@@ -15,11 +15,11 @@ from socialnav.control.reasons import ARRIVED, STALLED
 from socialnav.control.runs import Run
 from socialnav.control.settings import ControllerSettings
 from socialnav.control.tally import Tally
-from socialnav.messages.conversions import ConversionError, crowd_state, rotate
+from socialnav.messages.conversions import ConversionError, crowd_state
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.grids import grid_discs, with_discs
 from socialnav_core.policies import Policy, ValuePolicy
-from socialnav_core.simulation.limits import present_command, reachable
+from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.states import CrowdState
 
 NO_COMMAND = np.zeros(2)
@@ -242,7 +242,8 @@ class Controller:
             self._policy.limits = self.settings.limits
         command = np.asarray(self._policy.act(state)[0], dtype=float)
         executable = self._executable(command, state)
-        sent = self._in_base_frame(executable, state)
+        kinematics = kinematics_of(self.settings.kinematics)
+        sent = kinematics.to_base(executable, float(state.robot.heading[0]))
         if not np.isfinite([command, sent]).all():
             return NO_COMMAND, f'the policy chose {command.tolist()}, which is no velocity'
         self.intention = Intention(state, executable)
@@ -251,15 +252,9 @@ class Controller:
 
     def _executable(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
         """Return a command of the policy within the limits, where it should be already."""
-        settings = self.settings
-        present = present_command(settings.kinematics, state)[0]
-        return reachable(settings.kinematics, command, present, settings.limits, settings.period)
-
-    def _in_base_frame(self, command: np.ndarray, state: CrowdState) -> np.ndarray:
-        """Return a command as the robot takes it."""
-        if self.settings.kinematics == 'differential':
-            return command
-        return rotate(command, -float(state.robot.heading[0]))
+        settings, kinematics = self.settings, kinematics_of(self.settings.kinematics)
+        present = kinematics.present_command(state.robot)[0]
+        return kinematics.reachable(command, present, settings.limits, settings.period)
 
     def _to_be_published(self, reason: str | None) -> bool:
         """Return whether a decision is worth a message; count how long the robot has stood."""

@@ -7,7 +7,7 @@ from typing import Any
 from socialnav.messages.conversions import RobotBody
 from socialnav_core.config import Scenario
 from socialnav_core.simulation import resolve_scenario
-from socialnav_core.simulation.limits import Limits
+from socialnav_core.simulation.kinematics import Limits
 
 STALL_SHARE = 0.8
 """Part of input_timeout by which a decision may be overdue."""

@@ -5,6 +5,7 @@ import numpy as np
 
 from socialnav.messages.conversions import finite
 from socialnav.messages.stamps import header_message
+from socialnav_core.simulation.kinematics import kinematics_of
 
 
 def twist_message(command: np.ndarray, kinematics: str) -> Twist:
@@ -14,10 +15,8 @@ def twist_message(command: np.ndarray, kinematics: str) -> Twist:
     :param command: (vx, vy) in base_link or speed and turn rate, (2,).
     :param kinematics: holonomic or differential.
     """
-    forward, second = command.tolist()
-    if kinematics == 'differential':
-        return Twist(linear=Vector3(x=forward), angular=Vector3(z=second))
-    return Twist(linear=Vector3(x=forward, y=second))
+    forward, left, turn_rate = kinematics_of(kinematics).twist(command)
+    return Twist(linear=Vector3(x=forward, y=left), angular=Vector3(z=turn_rate))
 
 
 def stamped_twist_message(twist: Twist, nanoseconds: int, base_frame: str) -> TwistStamped:
@@ -38,5 +37,5 @@ def command_array(twist: Twist, kinematics: str) -> np.ndarray:
     :param twist: a command of the robot.
     :param kinematics: holonomic or differential.
     """
-    second = twist.angular.z if kinematics == 'differential' else twist.linear.y
-    return finite('cmd_vel', 'velocity', [twist.linear.x, second])
+    command = kinematics_of(kinematics).from_twist(twist.linear.x, twist.linear.y, twist.angular.z)
+    return finite('cmd_vel', 'velocity', command.tolist())

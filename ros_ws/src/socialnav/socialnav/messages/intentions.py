@@ -9,7 +9,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 from socialnav.messages.conversions import quaternion_of
 from socialnav.messages.markers import disc, point
 from socialnav.messages.stamps import header_message
-from socialnav_core.simulation.kinematics import move_robot
+from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.states import CrowdState
 
 PATH_TIMES = np.arange(0.0, 1.01, 0.1)
@@ -29,9 +29,9 @@ def predicted_path(
     :param frame: frame of the state.
     """
     header = header_message(nanoseconds, frame)
-    path = Path(header=header)
+    path, move = Path(header=header), kinematics_of(kinematics).move
     for time in PATH_TIMES:
-        displacement, _, heading = move_robot(kinematics, state.robot.heading[0], command, time)
+        displacement, _, heading = move(state.robot.heading[0], command, time)
         pose = PoseStamped(header=header)
         pose.pose.position = point(state.robot.position[0] + displacement, 0.0)
         pose.pose.orientation = quaternion_of(float(heading))

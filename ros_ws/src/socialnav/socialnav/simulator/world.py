@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from socialnav.messages.conversions import rotate
 from socialnav_core.config import Scenario
 from socialnav_core.simulation import Outcome, Simulator
+from socialnav_core.simulation.kinematics import kinematics_of
 
 BREAK = 10**9
 """Simulated time between two episodes, ns: longer than any step, so that a listener sees it."""
@@ -149,7 +149,7 @@ class World:
     def _step(self, duration: float) -> None:
         """Advance the simulator by a time without a decision of pedestrians inside."""
         command = self._world_command()
-        self.turn_rate = float(command[1]) if self.scenario.kinematics == 'differential' else 0.0
+        _, _, self.turn_rate = kinematics_of(self.scenario.kinematics).twist(command)
         self.state, _, terminated, truncated, info = self._simulator.advance(
             command[None], duration
         )
@@ -163,9 +163,8 @@ class World:
         """Return the command in the simulator's terms: zero when it is too old."""
         if (self.clock - self._command_clock) * 1e-9 > self.command_timeout:
             return np.zeros(2)
-        if self.scenario.kinematics == 'differential':
-            return self._command
-        return rotate(self._command, float(self.state.robot.heading[0]))
+        heading = float(self.state.robot.heading[0])
+        return kinematics_of(self.scenario.kinematics).from_base(self._command, heading)
 
     def _ended(self, info: dict[str, Any]) -> Episode:
         """Return the record of the episode that the latest step ended."""

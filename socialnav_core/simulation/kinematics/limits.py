@@ -1,0 +1,40 @@
+"""What a robot can do at all, and the cutting of numbers and vectors to it."""
+
+import dataclasses
+
+import numpy as np
+
+ROUNDING = 1 + 1e-9
+"""Factor of a limit within which a number still counts as inside."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Limits:
+    """Limits of a robot's motion."""
+
+    speed: float
+    """Largest speed, m/s."""
+    acceleration: float
+    """Largest change of velocity, of a differential drive: of speed, m/s^2."""
+    turn_rate: float
+    """Largest turn rate of a differential drive, rad/s."""
+    period: float
+    """Time between two commands, s."""
+
+
+def bounded(numbers: np.ndarray, limit: float) -> np.ndarray:
+    """Return numbers brought into [-limit, limit]; those in it, but for rounding, stay."""
+    outside = np.abs(numbers) > limit * ROUNDING
+    return np.where(outside, np.clip(numbers, -limit, limit), numbers)
+
+
+def longer(vectors: np.ndarray, length: float) -> np.ndarray:
+    """Return which vectors, (..., 2), are longer than a length, but for rounding, (..., 1)."""
+    return np.hypot(vectors[..., :1], vectors[..., 1:]) > length * ROUNDING
+
+
+def shortened(vectors: np.ndarray, length: float) -> np.ndarray:
+    """Return vectors, (..., 2), cut to a length; those short enough come back unchanged."""
+    norm = np.hypot(vectors[..., :1], vectors[..., 1:])
+    too_long = longer(vectors, length)
+    return vectors * np.where(too_long, length / np.where(too_long, norm, 1.0), 1.0)
