@@ -87,7 +87,7 @@ class CrowdState:
 
     def copy(self) -> 'CrowdState':
         """Return a state that shares no memory with this one."""
-        return mapped(np.copy, self)
+        return mapped(np.ndarray.copy, self)
 
     def select(self, worlds: np.ndarray) -> 'CrowdState':
         """Return the state of some worlds, by indices or a mask along the batch axis."""
@@ -141,10 +141,9 @@ class Observation:
 
 def mapped(function: Callable[..., np.ndarray], first: Arrays, *others: Arrays) -> Arrays:
     """Return a dataclass of arrays with a function applied to each array, nested ones too."""
-
-    def of(name: str) -> Any:
-        values = [getattr(record, name) for record in (first, *others)]
-        nested = dataclasses.is_dataclass(values[0])
-        return mapped(function, *values) if nested else function(*values)
-
-    return type(first)(*(of(field.name) for field in dataclasses.fields(first)))
+    columns = zip(*[vars(record).values() for record in (first, *others)], strict=True)
+    # every step copies a state; dataclasses.fields and is_dataclass would take most of the time
+    return type(first)(*[
+        mapped(function, *column) if isinstance(column[0], (Robot, Agents)) else function(*column)
+        for column in columns
+    ])  # fmt: skip
