@@ -1,6 +1,8 @@
 """Laws of the cache of compiled kernels."""
 
 import os
+import subprocess
+import sys
 
 import numba
 import numpy as np
@@ -53,3 +55,44 @@ def test_a_compiled_function_leaves_other_users_of_numba_alone():
 
     assert np.array_equal(double(np.arange(3)), [0, 2, 4])
     assert before == numba.config.CACHE_DIR
+
+
+NAMED = """
+from typing import NamedTuple
+import numpy as np
+from socialnav_core.compilation import compiled
+
+class Pair(NamedTuple):
+    numbers: np.ndarray
+    factor: float
+
+@compiled
+def product(pair):
+    return pair.numbers[0] * pair.factor
+
+@compiled
+def of_plain(pair):
+    return product(Pair(*pair))
+
+arguments = Pair(np.array([3.0]), 2.0)
+assert product(arguments) == of_plain(tuple(arguments)) == 6.0
+hits = [sum(kernel.stats.cache_hits.values()) for kernel in (product, of_plain)]
+print(*hits)
+"""
+
+
+def test_kernels_of_named_tuples_come_from_the_cache_in_another_process(tmp_path):
+    script = tmp_path / 'named.py'
+    script.write_text(NAMED)
+    environment = os.environ | {'NUMBA_CACHE_DIR': str(tmp_path / 'cache')}
+    environment['PYTHONPATH'] = str(compilation.PACKAGE.parent)
+
+    def hits():
+        command = [sys.executable, '-c', 'import named']
+        run = subprocess.run(
+            command, env=environment, cwd=tmp_path, capture_output=True, text=True, check=True
+        )
+        return run.stdout.split()
+
+    assert hits() == ['0', '0']
+    assert hits() == ['1', '1']

@@ -20,7 +20,7 @@ def add_parser(commands: Any) -> None:
 
     :param commands: what `add_subparsers` returned.
     """
-    summary = 'List the scenarios, or print every setting of one.'
+    summary = 'List the scenarios and crowds, or print every setting of a scenario.'
     parser = add_command(commands, 'scenarios', run, summary, EXAMPLES)
     parser.add_argument(
         'scenario', metavar='NAME', nargs='?', help='print the settings of this one as YAML'
@@ -33,6 +33,7 @@ def run(given: argparse.Namespace) -> None:
 
     :param given: parsed arguments.
     """
+    from socialnav_core.config import CROWDS
     from socialnav_core.config.mapping import to_yaml
     from socialnav_core.evaluation.report import table
     from socialnav_core.simulation import make_scenario, SCENARIOS
@@ -45,6 +46,8 @@ def run(given: argparse.Namespace) -> None:
         example = name.replace('-R', f'-{EXAMPLE_RADIUS}')
         rows.append((name, *parameters(make_scenario(example), example != name), meaning))
     print(table(rows))
+    print()
+    print(table([('crowd', 'meaning'), *CROWDS.items()]))
 
 
 def parameters(scenario: Scenario, growing: bool) -> tuple[str, ...]:

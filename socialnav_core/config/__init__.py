@@ -3,7 +3,7 @@
 from socialnav_core.config.mapping import ConfigError, require, require_choice
 from socialnav_core.config.policy import LOOKAHEADS, PolicyConfig, ScreeningConfig
 from socialnav_core.config.reading import read_config
-from socialnav_core.config.scenario import KINEMATICS, OrcaConfig, RewardConfig, Scenario
+from socialnav_core.config.scenario import CROWDS, KINEMATICS, OrcaConfig, RewardConfig, Scenario
 from socialnav_core.config.scenarios import make_scenario, resolve_scenario, SCENARIOS
 from socialnav_core.config.training import (
     Config,
@@ -13,6 +13,7 @@ from socialnav_core.config.training import (
 )
 
 __all__ = [
+    'CROWDS',
     'Config',
     'ConfigError',
     'CurriculumConfig',

@@ -1,6 +1,6 @@
 """Settings from and to mappings and YAML; an unknown key is an error that names the nearest."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 import dataclasses
 import difflib
 from pathlib import Path
@@ -27,7 +27,7 @@ def require(condition: bool, message: str) -> None:
         raise ConfigError(message)
 
 
-def require_choice(name: str, value: str, choices: tuple[str, ...]) -> None:
+def require_choice(name: str, value: str, choices: Collection[str]) -> None:
     """
     Raise a ConfigError unless a value is one of the choices.
 

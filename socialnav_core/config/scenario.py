@@ -5,6 +5,11 @@ import dataclasses
 from socialnav_core.config.mapping import require, require_choice
 
 KINEMATICS = ('holonomic', 'differential')
+CROWDS = {
+    'orca': 'people avoid each other and obstacles, each doing its share',
+    'non_reactive': 'people walk straight to their goals and react to nobody',
+}
+"""What moves the people, by the names of the files in simulation/crowds."""
 POSITIVE_SCENARIO_FIELDS = (
     'spawn_half_width', 'circle_radius', 'minimum_travel', 'bounds', 'pedestrian_radius',
     'pedestrian_speed', 'robot_radius', 'robot_preferred_speed', 'goal_tolerance', 'time_step',
@@ -92,6 +97,8 @@ class Scenario:
     """Whether pedestrians see the robot and avoid it."""
     kinematics: str = 'holonomic'
     """Motion of the robot: holonomic or differential."""
+    crowd: str = 'orca'
+    """What moves the pedestrians: orca or non_reactive."""
     goal_tolerance: float = 0.3
     """The goal is reached when the robot's centre is nearer than this, m."""
     time_step: float = 0.25
@@ -99,7 +106,7 @@ class Scenario:
     time_limit: float = 25.0
     """Episodes are truncated after this time, s."""
     orca: OrcaConfig = OrcaConfig()
-    """How the pedestrians move."""
+    """How the pedestrians of the crowd orca move."""
     reward: RewardConfig = RewardConfig()
     """What a step is worth."""
 
@@ -116,6 +123,7 @@ class Scenario:
         require(0 <= self.hardest_obstacle_ratio <= 1, 'hardest_obstacle_ratio must lie in [0, 1]')
         require_choice('layout', self.layout, ('square_crossing', 'circle_crossing'))
         require_choice('kinematics', self.kinematics, KINEMATICS)
+        require_choice('crowd', self.crowd, CROWDS)
         for name in POSITIVE_SCENARIO_FIELDS:
             require(getattr(self, name) > 0, f'scenario {self.name}: {name} must be positive')
         require(self.start_noise >= 0, 'scenario: start_noise must not be negative')

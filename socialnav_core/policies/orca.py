@@ -1,11 +1,12 @@
 """ORCA as the robot's planner: the demonstrator of imitation and a baseline."""
 
+import dataclasses
+
 import numpy as np
 
 from socialnav_core.config import OrcaConfig
 from socialnav_core.policies.straight_line import preferred_velocity
-from socialnav_core.simulation.crowds.orca import orca_step
-from socialnav_core.simulation.crowds.pedestrians import RADIUS_PADDING, RECIPROCAL
+from socialnav_core.simulation.crowds.orca import avoid
 from socialnav_core.states import CrowdState
 
 SAFETY_SPACE = 0.15
@@ -48,14 +49,9 @@ class OrcaPolicy:
         preferred, speed = np.zeros_like(everybody.position), np.zeros_like(everybody.radius)
         preferred[:, 0], speed[:, 0] = preferred_velocity(state), state.robot.preferred_speed
         out = np.zeros_like(preferred)
-        orca_step(
-            everybody.position, everybody.velocity, preferred,
-            everybody.radius + (RADIUS_PADDING + self.safety_space), speed, everybody.valid,
-            np.where(everybody.static, self.orca.static_responsibility, RECIPROCAL),
-            np.full(preferred.shape[:2], self.orca.neighbor_distance),
-            np.ones(state.batch_size, bool), 1,
-            self.orca.max_neighbors, self.orca.time_horizon, self.time_step, out,
-        )  # fmt: skip
+        settings = dataclasses.replace(self.orca, safety_space=self.safety_space)
+        every = np.ones(state.batch_size, bool)
+        avoid(everybody, preferred, speed, settings, self.time_step, every, 1, out)
         return out[:, 0]
 
     def reset(self) -> None:

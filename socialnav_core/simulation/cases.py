@@ -5,22 +5,18 @@ from typing import Any
 
 import numpy as np
 
-from socialnav_core.compilation import compiled
 from socialnav_core.config import Scenario
+from socialnav_core.simulation.case_queue import CaseQueue, queue_of
 from socialnav_core.simulation.kinematics import kinematics_of
-from socialnav_core.simulation.layout import (
-    layout_settings,
-    packing_message,
-    PackingError,
-    sample_layout,
-)
-from socialnav_core.simulation.random_streams import GOALS, LAYOUT, SPLITS, stream
+from socialnav_core.simulation.layout import layout_settings, packing_message, PackingError
+from socialnav_core.simulation.motion import Moving, Records
+from socialnav_core.simulation.random_streams import GOALS, LAYOUT, stream
+from socialnav_core.simulation.starts import lay_out, Starts
 from socialnav_core.states import Agents, CrowdState, Robot
 
-ENDLESS = -1
 ARRAYS = (
     'goal', 'preferred_speed', 'goal_streams', 'case_index', 'steps', 'path_length',
-    'minimum_clearance', 'counters', 'cases',
+    'minimum_clearance',
 )  # fmt: skip
 
 
@@ -47,9 +43,7 @@ class Episodes:
         self.steps = np.zeros(batch_size, np.int64)
         self.path_length = np.zeros(batch_size)
         self.minimum_clearance = np.full(batch_size, np.inf)
-        self.cases = np.empty(0, np.int64)
-        # next case, number of cases or ENDLESS, split, seed (two words, so that it survives int64)
-        self.counters = np.zeros(5, np.int64)
+        self.queue = queue_of(0, 'train', cases=())
 
     @property
     def active(self) -> np.ndarray:
@@ -67,15 +61,7 @@ class Episodes:
         :param cases: cases to run once each; None for 0, 1, 2, ... without end.
         :raises ValueError: for a seed, split or case that does not exist.
         """
-        if not 0 <= seed < 2**64:
-            raise ValueError(f'seed must lie in [0, 2^64), not {seed}')
-        if split not in SPLITS:
-            raise ValueError(f'split must be one of {", ".join(SPLITS)}, not {split!r}')
-        self.cases = np.array([] if cases is None else cases, dtype=np.int64)
-        if ((self.cases < 0) | (self.cases >= 2**32)).any():
-            raise ValueError('cases must lie in [0, 2^32)')
-        count = ENDLESS if cases is None else len(self.cases)
-        self.counters[:] = 0, count, SPLITS[split], seed & 0xFFFFFFFF, seed >> 32
+        self.queue = queue_of(seed, split, cases)
 
     def start(self, worlds: np.ndarray) -> None:
         """
@@ -85,12 +71,8 @@ class Episodes:
         :raises PackingError: when a layout does not fit.
         """
         self.stop(worlds)
-        first, count = self.counters[:2]
-        if count != ENDLESS:
-            worlds = worlds[: max(0, count - first)]
-        numbers = np.arange(first, first + len(worlds))
-        cases = numbers if count == ENDLESS else self.cases[numbers]
-        self.counters[0] += len(worlds)
+        cases = self.queue.take(len(worlds))
+        worlds = worlds[: len(cases)]
         self.steps[worlds] = 0
         self.path_length[worlds] = 0.0
         self.minimum_clearance[worlds] = np.inf
@@ -105,17 +87,17 @@ class Episodes:
         """
         self.case_index[worlds] = -1
 
-    def moving_arrays(self) -> tuple[np.ndarray, ...]:
-        """Return what a step changes of the state, in the order of `move_worlds`."""
-        state = self.state
-        return (
-            state.robot.position, state.robot.velocity, state.robot.heading, state.agents.position,
-            state.agents.velocity, state.time,
+    def moving(self, until_decision: np.ndarray) -> Moving:
+        """Return what a step changes; the time until decisions, s, (batch,), is not kept here."""
+        robot, agents = self.state.robot, self.state.agents
+        return Moving(
+            robot.position, robot.velocity, robot.heading, agents.position, agents.velocity,
+            self.state.time, until_decision,
         )  # fmt: skip
 
-    def records(self) -> tuple[np.ndarray, ...]:
-        """Return what a step adds to the records, in the order of `move_worlds`."""
-        return self.steps, self.path_length, self.minimum_clearance
+    def records(self) -> Records:
+        """Return what a step adds to."""
+        return Records(self.steps, self.path_length, self.minimum_clearance)
 
     def summary(self) -> dict[str, Any]:
         """Return copies of the records: case_index, steps, time, path_length, clearance."""
@@ -130,7 +112,7 @@ class Episodes:
     def arrays(self) -> dict[str, np.ndarray]:
         """Return everything, by name, without copying."""
         state = {f'state.{name}': array for name, array in self.state.arrays().items()}
-        return state | {name: getattr(self, name) for name in ARRAYS}
+        return state | {name: getattr(self, name) for name in ARRAYS} | self.queue.arrays()
 
     def restore(self, arrays: dict[str, np.ndarray]) -> None:
         """
@@ -142,17 +124,18 @@ class Episodes:
         self.state = CrowdState.from_arrays(named).copy()
         for name in ARRAYS:
             setattr(self, name, arrays[name].copy())
+        self.queue = CaseQueue.from_arrays(arrays)
 
     def _lay_out(self, worlds: np.ndarray, cases: np.ndarray) -> None:
         """Draw the layouts of cases."""
-        split = list(SPLITS)[self.counters[2]]
-        seed = int(self.counters[3]) | int(self.counters[4]) << 32
-        state = self.state
+        split, seed, state = self.queue.split, self.queue.seed, self.state
+        starts = Starts(
+            state.robot.position, state.robot.goal, state.agents.position, state.agents.radius,
+            self.preferred_speed, self.goal, self.goal_streams,
+        )  # fmt: skip
         failed = lay_out(
             worlds, cases, stream(split, seed, 0, LAYOUT), stream(split, seed, 0, GOALS),
-            layout_settings(self.scenario), state.robot.position, state.robot.goal,
-            state.agents.position, state.agents.radius, self.preferred_speed, self.goal,
-            self.goal_streams,
+            layout_settings(self.scenario), starts,
         )  # fmt: skip
         if failed >= 0:
             raise PackingError(f'{packing_message(self.scenario)} (case {cases[failed]})')
@@ -196,44 +179,3 @@ def empty_state(scenario: Scenario, batch_size: int) -> CrowdState:
         bounds=np.full(batch_size, scenario.bounds),
         time=np.zeros(batch_size),
     )
-
-
-@compiled
-def lay_out(  # type: ignore[no-untyped-def]
-    worlds, cases, layout_stream, goal_stream, settings, robot_position, robot_goal, position,
-    radius, speed, goal, goal_streams,
-):  # fmt: skip
-    """
-    Draw the start of a case in each of some worlds; return the first that failed, or -1.
-
-    :param worlds: indices.
-    :param cases: as many case numbers.
-    :param layout_stream: stream of the layout of case 0, uint64 (6,).
-    :param goal_stream: stream of the goals of pedestrian 0 in case 0, uint64 (6,).
-    :param settings: of layout_settings.
-    :param robot_position: out, (batch, 2), m.
-    :param robot_goal: out, (batch, 2), m.
-    :param position: out, (batch, agents, 2), m.
-    :param radius: out, (batch, agents), m.
-    :param speed: out, (batch, agents), m/s; obstacles have none.
-    :param goal: out, (batch, agents, 2), m.
-    :param goal_streams: out, uint64 (batch, pedestrians, 6).
-    """
-    robot = np.empty(4)
-    pedestrians = goal_streams.shape[1]
-    for n in range(len(worlds)):
-        world = worlds[n]
-        draws = layout_stream.copy()
-        draws[2] = np.uint64(cases[n])
-        if not sample_layout(
-            draws, pedestrians, settings, robot, position[world], radius[world], speed[world],
-            goal[world],
-        ):  # fmt: skip
-            return n
-        robot_position[world] = robot[:2]
-        robot_goal[world] = robot[2:]
-        for i in range(pedestrians):
-            goal_streams[world, i] = goal_stream
-            goal_streams[world, i, 2] = np.uint64(cases[n])
-            goal_streams[world, i, 4] = np.uint64(i)
-    return -1

@@ -1,7 +1,9 @@
 """Start of an episode: bounded rejection sampling of where everybody is and wants to go."""
 
 import math
-from typing import Any
+from typing import NamedTuple
+
+import numpy as np
 
 from socialnav_core.compilation import compiled
 from socialnav_core.config import ConfigError, Scenario
@@ -32,58 +34,82 @@ def packing_message(scenario: Scenario) -> str:
     )
 
 
-def layout_settings(scenario: Scenario) -> tuple[Any, ...]:
-    """
-    Return the settings that the compiled sampler takes.
+class LayoutSettings(NamedTuple):
+    """What the compiled sampler takes of a Scenario, in its words and units."""
 
-    :param scenario: the scenario.
-    """
-    hardest = math.ceil(scenario.hardest_obstacle_ratio * scenario.obstacles - 1e-9)
-    return (
-        scenario.layout == 'circle_crossing', scenario.spawn_half_width, scenario.circle_radius,
-        scenario.minimum_travel, scenario.start_noise, hardest, scenario.obstacle_radius_min,
-        scenario.obstacle_radius_max, scenario.randomize_attributes, scenario.pedestrian_radius,
-        scenario.pedestrian_speed, scenario.robot_radius,
-    )  # fmt: skip
+    pedestrians: int
+    circle_crossing: bool
+    half_width: float
+    """Of the square where everybody starts, m."""
+    circle_radius: float
+    minimum_travel: float
+    start_noise: float
+    hardest_obstacles: int
+    """So many obstacles have the largest radius."""
+    obstacle_radius_min: float
+    obstacle_radius_max: float
+    randomize_attributes: bool
+    pedestrian_radius: float
+    pedestrian_speed: float
+    robot_radius: float
+
+
+class Layout(NamedTuple):
+    """The start of one world: pedestrians first, then obstacles, who stay where they are."""
+
+    robot: np.ndarray
+    """Start and goal of the robot, m, (4,)."""
+    position: np.ndarray
+    """Centres, m, (agents, 2)."""
+    radius: np.ndarray
+    """m, (agents,)."""
+    speed: np.ndarray
+    """Preferred speeds, m/s, (agents,); those of obstacles are not set."""
+    goal: np.ndarray
+    """m, (agents, 2); an obstacle's is its centre."""
+
+
+def layout_settings(scenario: Scenario) -> LayoutSettings:
+    """Return the settings that the compiled sampler takes."""
+    return LayoutSettings(
+        pedestrians=scenario.pedestrians,
+        circle_crossing=scenario.layout == 'circle_crossing',
+        half_width=scenario.spawn_half_width,
+        circle_radius=scenario.circle_radius,
+        minimum_travel=scenario.minimum_travel,
+        start_noise=scenario.start_noise,
+        hardest_obstacles=math.ceil(scenario.hardest_obstacle_ratio * scenario.obstacles - 1e-9),
+        obstacle_radius_min=scenario.obstacle_radius_min,
+        obstacle_radius_max=scenario.obstacle_radius_max,
+        randomize_attributes=scenario.randomize_attributes,
+        pedestrian_radius=scenario.pedestrian_radius,
+        pedestrian_speed=scenario.pedestrian_speed,
+        robot_radius=scenario.robot_radius,
+    )
 
 
 @compiled
-def sample_layout(stream, pedestrians, settings, robot, position, radius, speed, goal):  # type: ignore[no-untyped-def]
-    """
-    Draw the start of one episode; return whether a layout was found.
-
-    :param stream: random stream of the layout, advanced.
-    :param pedestrians: number of pedestrians; the other agents are obstacles.
-    :param settings: of layout_settings.
-    :param robot: out, (4,): start and goal of the robot, m.
-    :param position: out, (agents, 2): centres, m.
-    :param radius: out, (agents,), m.
-    :param speed: out, (pedestrians,): preferred speeds, m/s.
-    :param goal: out, (agents, 2): goals, m; an obstacle's is its centre.
-    """
+def sample_layout(stream, settings, layout):  # type: ignore[no-untyped-def]
+    """Draw a Layout from a random stream, which is advanced; return whether one was found."""
     for _ in range(RESTARTS):
-        if not sample_robot(stream, settings, robot):
+        if not sample_robot(stream, settings, layout.robot):
             continue
-        if not sample_obstacles(stream, pedestrians, settings, robot, position, radius, goal):
+        if not sample_obstacles(stream, settings, layout):
             continue
-        if sample_pedestrians(stream, pedestrians, settings, robot, position, radius, speed, goal):
+        if sample_pedestrians(stream, settings, layout):
             return True
     return False
 
 
 @compiled
 def sample_robot(stream, settings, robot):  # type: ignore[no-untyped-def]
-    """
-    Draw the robot's start and goal; return whether they are far enough from each other.
-
-    :param stream: random stream, advanced.
-    :param settings: of layout_settings.
-    :param robot: out, (4,), m.
-    """
-    circle, half_width, circle_radius, minimum_travel, noise = settings[:5]
-    if circle:
-        robot[0], robot[1], robot[2], robot[3] = 0.0, -circle_radius, 0.0, circle_radius
+    """Draw the robot's start and goal; return whether they are far enough from each other."""
+    if settings.circle_crossing:
+        robot[0], robot[1], robot[2], robot[3] = (
+            0.0, -settings.circle_radius, 0.0, settings.circle_radius,
+        )  # fmt: skip
         return True
+    half_width, noise = settings.half_width, settings.start_noise
     for _ in range(ATTEMPTS):  # about every third draw is accepted
         goal_angle = uniform(stream, 0.0, 2.0 * math.pi)
         start_angle = uniform(stream, 0.0, 2.0 * math.pi)
@@ -92,43 +118,33 @@ def sample_robot(stream, settings, robot):  # type: ignore[no-untyped-def]
         robot[2] = half_width * math.cos(goal_angle)
         robot[3] = half_width * math.sin(goal_angle)
         travel = max(abs(robot[2] - robot[0]), abs(robot[3] - robot[1]))
-        if travel > minimum_travel:
+        if travel > settings.minimum_travel:
             return True
     return False
 
 
 @compiled
-def sample_obstacles(stream, pedestrians, settings, robot, position, radius, goal):  # type: ignore[no-untyped-def]
-    """
-    Draw the obstacles, the largest first; return whether all of them found a place.
-
-    A radius is drawn again with each attempt, so that large ones are accepted less often.
-
-    :param stream: random stream, advanced.
-    :param pedestrians: number of pedestrians, whose slots come first.
-    :param settings: of layout_settings.
-    :param robot: (4,), start and goal of the robot, m.
-    :param position: out, (agents, 2), m.
-    :param radius: out, (agents,), m.
-    :param goal: out, (agents, 2), m.
-    """
-    half_width, hardest, low, high, robot_radius = (
-        settings[1], settings[5], settings[6], settings[7], settings[11],
-    )  # fmt: skip
-    for i in range(pedestrians, position.shape[0]):
+def sample_obstacles(stream, settings, layout):  # type: ignore[no-untyped-def]
+    """Draw the obstacles, the largest first; return whether all of them found a place."""
+    robot, position, radius = layout.robot, layout.position, layout.radius
+    half_width, first = settings.half_width, settings.pedestrians
+    for i in range(first, position.shape[0]):
         placed = False
         for _ in range(ATTEMPTS):
-            size = high if i - pedestrians < hardest else uniform(stream, low, high)
+            # drawn again with each attempt, so that large ones are accepted less often
+            size = settings.obstacle_radius_max
+            if i - first >= settings.hardest_obstacles:
+                size = uniform(stream, settings.obstacle_radius_min, settings.obstacle_radius_max)
             x = uniform(stream, -half_width, half_width)
             y = uniform(stream, -half_width, half_width)
-            if near(x, y, robot[0], robot[1], size + robot_radius + OBSTACLE_GAP):
+            if near(x, y, robot[0], robot[1], size + settings.robot_radius + OBSTACLE_GAP):
                 continue
             if near(x, y, robot[2], robot[3], size + GAP):
                 continue
-            if near_any(x, y, size + OBSTACLE_GAP, position, radius, pedestrians, i):
+            if near_any(x, y, size + OBSTACLE_GAP, position, radius, first, i):
                 continue
             position[i, 0], position[i, 1], radius[i] = x, y, size
-            goal[i, 0], goal[i, 1] = x, y
+            layout.goal[i, 0], layout.goal[i, 1] = x, y
             placed = True
             break
         if not placed:
@@ -137,48 +153,44 @@ def sample_obstacles(stream, pedestrians, settings, robot, position, radius, goa
 
 
 @compiled
-def sample_pedestrians(stream, pedestrians, settings, robot, position, radius, speed, goal):  # type: ignore[no-untyped-def]
-    """
-    Draw the pedestrians one after another; return whether all of them found a place.
-
-    :param stream: random stream, advanced.
-    :param pedestrians: number of pedestrians.
-    :param settings: of layout_settings.
-    :param robot: (4,), start and goal of the robot, m.
-    :param position: in and out, (agents, 2), obstacles are there already, m.
-    :param radius: in and out, (agents,), m.
-    :param speed: out, (pedestrians,), m/s.
-    :param goal: in and out, (agents, 2), m.
-    """
-    agents = position.shape[0]
-    for i in range(pedestrians):
-        radius[i], speed[i] = settings[9], settings[10]
-        if settings[8]:
+def sample_pedestrians(stream, settings, layout):  # type: ignore[no-untyped-def]
+    """Draw the pedestrians, obstacles being there; return whether all of them found a place."""
+    radius, speed = layout.radius, layout.speed
+    for i in range(settings.pedestrians):
+        radius[i], speed[i] = settings.pedestrian_radius, settings.pedestrian_speed
+        if settings.randomize_attributes:
             speed[i] = uniform(stream, 0.5, 1.5)
             radius[i] = uniform(stream, 0.3, 0.5)
         placed = False
         for _ in range(ATTEMPTS):
-            draw_crossing(stream, settings, speed[i], position[i], goal[i])
-            x, y = position[i]
-            gap = radius[i] + GAP
-            if near(x, y, robot[0], robot[1], gap + settings[11]):
-                continue
-            if near_any(x, y, gap, position, radius, 0, i):
-                continue
-            if near_any(x, y, gap, position, radius, pedestrians, agents):
-                continue
-            x, y = goal[i]
-            if near(x, y, robot[2], robot[3], gap + settings[11]):
-                continue
-            if near_any(x, y, gap, goal, radius, 0, i):
-                continue
-            if near_any(x, y, gap, goal, radius, pedestrians, agents):
-                continue
-            placed = True
-            break
+            draw_crossing(stream, settings, speed[i], layout.position[i], layout.goal[i])
+            placed = is_apart(
+                layout.position, i, layout.robot[0], layout.robot[1], settings, radius
+            ) and is_apart(layout.goal, i, layout.robot[2], layout.robot[3], settings, radius)
+            if placed:
+                break
         if not placed:
             return False
     return True
+
+
+@compiled
+def is_apart(points, i, robot_x, robot_y, settings, radius):  # type: ignore[no-untyped-def]
+    """
+    Return whether a pedestrian's start or goal is clear of the robot's and of the others'.
+
+    :param points: starts or goals, m, (agents, 2); those of later pedestrians are not there yet.
+    :param i: the pedestrian.
+    :param robot_x: start or goal of the robot, m.
+    :param robot_y: m.
+    :param radius: of the agents, m, (agents,).
+    """
+    x, y, gap = points[i, 0], points[i, 1], radius[i] + GAP
+    if near(x, y, robot_x, robot_y, gap + settings.robot_radius):
+        return False
+    if near_any(x, y, gap, points, radius, 0, i):
+        return False
+    return not near_any(x, y, gap, points, radius, settings.pedestrians, points.shape[0])
 
 
 @compiled
@@ -186,19 +198,17 @@ def draw_crossing(stream, settings, speed, start, goal):  # type: ignore[no-unty
     """
     Draw the start and goal of one pedestrian.
 
-    :param stream: random stream, advanced.
-    :param settings: of layout_settings.
     :param speed: preferred speed, m/s; noise on the circle is proportional to it.
-    :param start: out, (2,), m.
-    :param goal: out, (2,), m.
+    :param start: written, m, (2,).
+    :param goal: written, m, (2,).
     """
-    circle, half_width, circle_radius = settings[:3]
-    if circle:
+    if settings.circle_crossing:
         angle = uniform(stream, 0.0, 2.0 * math.pi)
-        start[0] = circle_radius * math.cos(angle) + uniform(stream, -0.5, 0.5) * speed
-        start[1] = circle_radius * math.sin(angle) + uniform(stream, -0.5, 0.5) * speed
+        start[0] = settings.circle_radius * math.cos(angle) + uniform(stream, -0.5, 0.5) * speed
+        start[1] = settings.circle_radius * math.sin(angle) + uniform(stream, -0.5, 0.5) * speed
         goal[0], goal[1] = -start[0], -start[1]
         return
+    half_width = settings.half_width
     side = -1.0 if uniform(stream, 0.0, 1.0) < 0.5 else 1.0
     start[0] = side * uniform(stream, 0.0, half_width)
     start[1] = uniform(stream, -half_width, half_width)
@@ -207,53 +217,17 @@ def draw_crossing(stream, settings, speed, start, goal):  # type: ignore[no-unty
 
 
 @compiled
-def renew_goal(stream, half_width, i, pedestrians, position, radius, goal):  # type: ignore[no-untyped-def]
-    """
-    Draw another goal for a pedestrian, free of obstacles; return whether one was found.
-
-    :param stream: random stream of the pedestrian, advanced.
-    :param half_width: radius of the circle of goals, m.
-    :param i: the pedestrian.
-    :param pedestrians: number of pedestrians.
-    :param position: (agents, 2), m.
-    :param radius: (agents,), m.
-    :param goal: out, (agents, 2), m.
-    """
-    for _ in range(ATTEMPTS):
-        angle = uniform(stream, 0.0, 2.0 * math.pi)
-        x, y = half_width * math.cos(angle), half_width * math.sin(angle)
-        gap = radius[i] + GAP
-        if not near_any(x, y, gap, position, radius, pedestrians, position.shape[0]):
-            goal[i, 0], goal[i, 1] = x, y
-            return True
-    return False
-
-
-@compiled
 def near(x, y, other_x, other_y, distance):  # type: ignore[no-untyped-def]
-    """
-    Return whether two points are closer than a distance.
-
-    :param x: first point, m.
-    :param y: first point, m.
-    :param other_x: second point, m.
-    :param other_y: second point, m.
-    :param distance: m.
-    """
+    """Return whether two points are closer than a distance, m."""
     return (x - other_x) ** 2 + (y - other_y) ** 2 < distance * distance
 
 
 @compiled
 def near_any(x, y, gap, centre, radius, begin, end):  # type: ignore[no-untyped-def]
     """
-    Return whether a point is closer to a disc of a range than a gap from its rim.
+    Return whether a point is closer to a disc than a gap, m, from its rim.
 
-    :param x: the point, m.
-    :param y: the point, m.
-    :param gap: m.
-    :param centre: (agents, 2), m.
-    :param radius: (agents,), m.
-    :param begin: first disc.
+    :param begin: first disc that counts.
     :param end: the one after the last.
     """
     for j in range(begin, end):  # noqa: SIM110, compiled faster than any()

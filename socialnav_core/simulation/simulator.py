@@ -8,12 +8,13 @@ import numpy as np
 
 from socialnav_core.config import ConfigError, require, require_choice, Scenario
 from socialnav_core.simulation.cases import Episodes
-from socialnav_core.simulation.crowds.pedestrians import decide_velocities, renew_goals
+from socialnav_core.simulation.crowds.protocol import make_crowd
 from socialnav_core.simulation.kinematics import kinematics_of
-from socialnav_core.simulation.motion import move_worlds, TIME_TOLERANCE
+from socialnav_core.simulation.motion import Motion, move_worlds, TIME_TOLERANCE
 from socialnav_core.simulation.rewards import Outcome, reward_settings, step_outcomes
 from socialnav_core.states import CrowdState
 
+NONE, TIMEOUT = int(Outcome.NONE), int(Outcome.TIMEOUT)  # arrays compare with plain numbers faster
 AUTORESETS = ('same_step', 'disabled')
 LAYOUT_FIELDS = ('name', 'obstacle_radius_min', 'obstacle_radius_max', 'hardest_obstacle_ratio')
 
@@ -47,6 +48,7 @@ class Simulator:
         self.batch_size = batch_size
         self.autoreset = autoreset
         self._episodes = Episodes(scenario, batch_size)
+        self._crowd = make_crowd(scenario, batch_size)
         self._decided = np.zeros((batch_size, scenario.agents, 2))
         self._until_decision = np.zeros(batch_size)
         self._settings = reward_settings(scenario.reward, scenario.goal_tolerance)
@@ -65,7 +67,7 @@ class Simulator:
     @property
     def active(self) -> np.ndarray:
         """Return whether a world runs, bool (batch,)."""
-        return self._episodes.active.copy()
+        return self._episodes.active
 
     def reset(
         self, seed: int = 0, split: str = 'test', cases: Sequence[int] | np.ndarray | None = None
@@ -115,21 +117,22 @@ class Simulator:
         )
         reward, outcome, clearance, pedestrian_clearance = (array.reshape(-1) for array in judged)
         active = self.active
+        motion = Motion(displacement, robot_velocity, heading, velocities)
+        moving = episodes.moving(self._until_decision)
         move_worlds(
-            active, displacement, robot_velocity, heading, velocities, duration, clearance,
-            scenario.time_limit, episodes.moving_arrays(), self._until_decision,
-            episodes.records(), reward, outcome,
+            active, tuple(motion), duration, clearance, scenario.time_limit, tuple(moving),
+            tuple(episodes.records()), reward, outcome,
         )  # fmt: skip
         if scenario.renew_goals:
-            renew_goals(scenario, episodes)
+            self._crowd.renew_goals(episodes)
         info = episodes.summary() | {
             'outcome': outcome,
             'active': active,
             'clearance': clearance,
             'pedestrian_clearance': pedestrian_clearance,
         }
-        truncated = outcome == Outcome.TIMEOUT
-        ended = outcome != Outcome.NONE
+        truncated = outcome == TIMEOUT
+        ended = outcome != NONE
         state = info['final_state'] = self.state
         if ended.any():
             self._end(np.flatnonzero(ended))
@@ -179,7 +182,9 @@ class Simulator:
     def get_state(self) -> dict[str, np.ndarray]:
         """Return all that is needed to go on from here, as arrays of their own."""
         arrays = {'decided': self._decided, 'until_decision': self._until_decision}
-        return {name: array.copy() for name, array in (arrays | self._episodes.arrays()).items()}
+        crowd = {f'crowd.{name}': array for name, array in self._crowd.get_state().items()}
+        everything = arrays | self._episodes.arrays() | crowd
+        return {name: array.copy() for name, array in everything.items()}
 
     def set_state(self, arrays: dict[str, np.ndarray]) -> None:
         """
@@ -190,6 +195,7 @@ class Simulator:
         self._decided = arrays['decided'].copy()
         self._until_decision = arrays['until_decision'].copy()
         self._episodes.restore(arrays)
+        self._crowd.set_state({name.removeprefix('crowd.'): arrays[name] for name in arrays})
 
     def _checked(self, command: np.ndarray) -> np.ndarray:
         """Return the command as float64, or raise ValueError."""
@@ -204,7 +210,7 @@ class Simulator:
         """Return the velocities of the agents, decided again in the worlds where that is due."""
         due = self._episodes.active & (self._until_decision <= TIME_TOLERANCE)
         if due.any():
-            self._decided = decide_velocities(self.scenario, self._episodes, due, self._decided)
+            self._crowd.decide(self._episodes, due, self._decided)
             self._until_decision[due] = self.scenario.time_step
         return self._decided
 
@@ -221,7 +227,8 @@ class Simulator:
         self._decided[worlds] = 0.0
         if self._scenario_of is None:
             self._episodes.start(worlds)
-            return
-        for world in worlds:
-            self._episodes.scenario = self._scenario_of(int(self._episodes.counters[0]))
-            self._episodes.start(np.array([world]))
+        else:
+            for world in worlds:
+                self._episodes.scenario = self._scenario_of(self._episodes.queue.taken)
+                self._episodes.start(np.array([world]))
+        self._crowd.reset(self._episodes, worlds[self._episodes.active[worlds]])

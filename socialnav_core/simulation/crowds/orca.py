@@ -1,100 +1,69 @@
-"""
-Optimal reciprocal collision avoidance (ORCA) for a batch of worlds.
-
-Source: J. van den Berg, S. J. Guy, M. Lin and D. Manocha, Reciprocal n-body collision avoidance,
-Robotics Research (ISRR 2009), Springer 2011.
-"""
-
-from typing import Any
+"""People who avoid each other by ORCA, and whom else they see."""
 
 import numpy as np
 
-from socialnav_core.simulation.crowds.orca_kernel import orca_step
+from socialnav_core.config import OrcaConfig, Scenario
+from socialnav_core.simulation.cases import Episodes
+from socialnav_core.simulation.crowds.goals import velocities_to_goals
+from socialnav_core.simulation.crowds.memoryless import Memoryless
+from socialnav_core.simulation.crowds.orca_kernel import Bodies, Foresight, orca_step
+from socialnav_core.states import Agents
 
-__all__ = ['orca_step', 'orca_velocities']
+RADIUS_PADDING = 0.01  # RVO2's users inflate every disc by it, lest touching ones collide
+RECIPROCAL = 0.5
 
 
-def orca_velocities(
-    position: np.ndarray,
-    velocity: np.ndarray,
-    preferred_velocity: np.ndarray,
-    radius: np.ndarray,
-    max_speed: np.ndarray,
-    valid: np.ndarray | None = None,
-    responsibility: float | np.ndarray = 0.5,
-    neighbor_distance: float | np.ndarray = 10.0,
-    max_neighbors: int = 10,
-    time_horizon: float = 5.0,
-    time_step: float = 0.25,
-) -> np.ndarray:
-    """
-    Return the velocity of each agent that avoids its neighbours and is nearest its preferred one.
+def make_crowd(scenario: Scenario, batch_size: int) -> Memoryless:
+    """Return the crowd: a decision depends on the present state alone."""
+    return Memoryless(decide)
 
-    Discs avoid each other for `time_horizon` seconds if all of them keep to these velocities. In
-    a crowd where nobody can, each agent takes the velocity that violates its constraints least.
 
-    :param position: Centres, metres, shape (batch, agents, 2).
-    :param velocity: Present velocities, m/s, shape (batch, agents, 2).
-    :param preferred_velocity: Velocities without neighbours, m/s, shape (batch, agents, 2).
-    :param radius: Radii as they are to be kept apart, metres: a number or (batch, agents).
-    :param max_speed: Greatest speeds, m/s: a number or (batch, agents).
-    :param valid: Mask of real agents, shape (batch, agents); None means all. An invalid agent
-        influences nobody and its velocity is zero.
-    :param responsibility: Share of a conflict with this agent that each other agent takes: 0.5
-        where it does its half, 1.0 where it does not step aside. A number or (batch, agents).
-    :param neighbor_distance: Distance of centres, metres, from which an agent does not notice
-        others: a number or (batch, agents).
-    :param max_neighbors: Number of nearest neighbours, by centre distance, that an agent notices.
-    :param time_horizon: Seconds for which velocities are free of collisions.
-    :param time_step: Seconds within which discs that overlap already move apart.
-    :return: New array of velocities, m/s, float64, shape (batch, agents, 2).
-    :raises ValueError: Where shapes disagree, a valid agent's value is not finite, a radius,
-        speed, distance or number is negative, or a time is not positive.
-    """
-    shape = np.shape(position)
-    if len(shape) != 3 or shape[2] != 2:
-        raise ValueError(f'position has shape {shape}, expected (batch, agents, 2)')
-    mask = np.ones(shape[:2], bool) if valid is None else np.ascontiguousarray(valid, dtype=bool)
-    if mask.shape != shape[:2]:
-        raise ValueError(f'valid has shape {mask.shape}, expected {shape[:2]}')
-    if not (time_horizon > 0.0 and time_step > 0.0 and max_neighbors >= 0):
-        raise ValueError('time_horizon and time_step must be positive, max_neighbors at least 0')
-    out = np.empty(shape)
-    orca_step(
-        _vectors('position', position, mask),
-        _vectors('velocity', velocity, mask),
-        _vectors('preferred_velocity', preferred_velocity, mask),
-        _sizes('radius', radius, mask),
-        _sizes('max_speed', max_speed, mask),
-        mask,
-        _sizes('responsibility', responsibility, mask),
-        _sizes('neighbor_distance', neighbor_distance, mask),
-        np.ones(shape[0], bool),
-        shape[1],
-        max_neighbors,
-        time_horizon,
-        time_step,
-        out,
+def decide(episodes: Episodes, due: np.ndarray, velocities: np.ndarray) -> None:
+    """Write the velocities that avoid everybody who is seen; see Crowd.decide."""
+    scenario, agents, speed = episodes.scenario, episodes.state.agents, episodes.preferred_speed
+    out = velocities
+    if scenario.robot_visible:  # the robot is one more body, behind the others
+        robot = episodes.state.robot
+        agents = agents.append(robot.as_agents())
+        speed = np.concatenate([speed, robot.preferred_speed[:, None]], axis=1)
+        out = np.concatenate([velocities, robot.velocity[:, None]], axis=1)
+    preferred = velocities_to_goals(episodes, agents.count)
+    avoid(
+        agents, preferred, speed, scenario.orca, scenario.time_step, due, scenario.pedestrians, out
     )
-    return out
+    if scenario.robot_visible:
+        velocities[:] = out[:, : scenario.agents]
 
 
-def _vectors(name: str, value: Any, valid: np.ndarray) -> np.ndarray:
-    """Return an argument as contiguous float64, shape (batch, agents, 2)."""
-    array = np.ascontiguousarray(value, dtype=np.float64)
-    if array.shape != (*valid.shape, 2):
-        raise ValueError(f'{name} has shape {array.shape}, expected {(*valid.shape, 2)}')
-    if not np.isfinite(array[valid]).all():
-        raise ValueError(f'{name} of a valid agent is not finite: mark padding in valid')
-    return array
+def avoid(
+    agents: Agents,
+    preferred_velocity: np.ndarray,
+    speed: np.ndarray,
+    settings: OrcaConfig,
+    time_step: float,
+    worlds: np.ndarray,
+    movers: int,
+    out: np.ndarray,
+) -> None:
+    """
+    Write the ORCA velocities of the first agents of some worlds, as settings ask for.
 
-
-def _sizes(name: str, value: Any, valid: np.ndarray) -> np.ndarray:
-    """Return an argument as contiguous float64, shape (batch, agents); a number fills it."""
-    array = np.asarray(value, dtype=np.float64)
-    if array.shape not in ((), valid.shape):
-        raise ValueError(f'{name} has shape {array.shape}, expected a number or {valid.shape}')
-    array = np.ascontiguousarray(np.broadcast_to(array, valid.shape))
-    if not ((array[valid] >= 0.0) & (array[valid] < np.inf)).all():
-        raise ValueError(f'{name} of a valid agent is negative or not finite')
-    return array
+    :param preferred_velocity: m/s, (batch, at least movers, 2).
+    :param speed: preferred and greatest, m/s, (batch, at least movers).
+    :param time_step: s.
+    :param worlds: bool (batch,); the others keep what is in `out`.
+    :param movers: number of agents that decide.
+    :param out: m/s, (batch, at least movers, 2), an array of its own.
+    """
+    bodies = Bodies(
+        position=agents.position,
+        velocity=agents.velocity,
+        preferred_velocity=preferred_velocity,
+        radius=agents.radius + (RADIUS_PADDING + settings.safety_space),
+        max_speed=speed,
+        valid=agents.valid,
+        responsibility=np.where(agents.static, settings.static_responsibility, RECIPROCAL),
+        neighbor_distance=np.full_like(agents.radius, settings.neighbor_distance),
+    )
+    foresight = Foresight(settings.max_neighbors, settings.time_horizon, time_step)
+    orca_step(bodies, foresight, worlds, movers, out)

@@ -1,5 +1,5 @@
 """
-Compiled kernel of optimal reciprocal collision avoidance (ORCA): orca.py names its source.
+Compiled kernel of optimal reciprocal collision avoidance; orca_velocities.py names its source.
 
 The choice of neighbours, the order of constraints and the tolerance are those of the RVO2 library,
 so velocities agree with it up to its single precision. A half-plane is a row (point x, point y,
@@ -25,6 +25,37 @@ X, Y, VELOCITY_X, VELOCITY_Y, RADIUS, RESPONSIBILITY = range(6)
 """Rows of Workspace.crowd."""
 
 inlined = njit(nogil=True, error_model='numpy', forceinline=True)
+
+
+class Bodies(NamedTuple):
+    """Everybody in a batch of worlds; `orca_velocities` says more of what the fields mean."""
+
+    position: np.ndarray
+    """m, (batch, agents, 2)."""
+    velocity: np.ndarray
+    """m/s, (batch, agents, 2)."""
+    preferred_velocity: np.ndarray
+    """m/s, (batch, at least movers, 2)."""
+    radius: np.ndarray
+    """m, (batch, agents)."""
+    max_speed: np.ndarray
+    """m/s, (batch, at least movers)."""
+    valid: np.ndarray
+    """bool (batch, agents)."""
+    responsibility: np.ndarray
+    """Share of a conflict that others take, (batch, agents)."""
+    neighbor_distance: np.ndarray
+    """m, (batch, at least movers)."""
+
+
+class Foresight(NamedTuple):
+    """How much an agent takes into account."""
+
+    max_neighbors: int
+    time_horizon: float
+    """s."""
+    time_step: float
+    """Within which discs that overlap already move apart, s."""
 
 
 class Workspace(NamedTuple):
@@ -242,56 +273,51 @@ def _least_excess_velocity(
     return x, y
 
 
-# The only cached function: a cache of the others would hold Workspace and break when it changes.
-@compiled
 def orca_step(
-    position: np.ndarray,
-    velocity: np.ndarray,
-    preferred_velocity: np.ndarray,
-    radius: np.ndarray,
-    max_speed: np.ndarray,
-    valid: np.ndarray,
-    responsibility: np.ndarray,
-    neighbor_distance: np.ndarray,
-    active: np.ndarray,
-    movers: int,
-    max_neighbors: int,
-    time_horizon: float,
-    time_step: float,
-    out: np.ndarray,
+    bodies: Bodies, foresight: Foresight, active: np.ndarray, movers: int, out: np.ndarray
 ) -> None:
     """
     Write the ORCA velocities of the first `movers` agents of each active world into `out`.
 
     Nothing is checked. Arrays are C-contiguous float64, masks bool; another layout costs a
-    compilation. orca.orca_velocities says what the arguments mean.
+    compilation.
 
-    :param position: (batch, agents, 2); so is velocity.
-    :param preferred_velocity: (batch, at least movers, 2); so is out, an array of its own.
-    :param radius: (batch, agents); so are valid and responsibility.
-    :param max_speed: (batch, at least movers); so is neighbor_distance.
     :param active: (batch,) bool; an inactive world costs nothing and keeps its rows of `out`.
+    :param out: (batch, at least movers, 2), an array of its own.
     """
-    space = _make_workspace(position.shape[1], max_neighbors, time_horizon, time_step)
-    for world in range(position.shape[0]):
+    _step(tuple(bodies), tuple(foresight), active, movers, out)
+
+
+# Cached alone, since it holds the code of the functions above. Named tuples come as plain ones: at
+# each call numba asks Python for the type of a named one.
+@compiled
+def _step(bodies, foresight, active, movers, out):  # type: ignore[no-untyped-def]
+    """Fill the array of orca_step."""
+    seen, until = Bodies(*bodies), Foresight(*foresight)
+    space = _make_workspace(
+        seen.position.shape[1], until.max_neighbors, until.time_horizon, until.time_step
+    )
+    for world in range(seen.position.shape[0]):
         if not active[world]:
             continue
         agents, column = 0, 0
-        for agent in range(position.shape[1]):
-            space.crowd[X, agents] = position[world, agent, 0]
-            space.crowd[Y, agents] = position[world, agent, 1]
-            space.crowd[VELOCITY_X, agents] = velocity[world, agent, 0]
-            space.crowd[VELOCITY_Y, agents] = velocity[world, agent, 1]
-            space.crowd[RADIUS, agents] = radius[world, agent]
-            space.crowd[RESPONSIBILITY, agents] = responsibility[world, agent]
-            agents += valid[world, agent]
+        for agent in range(seen.position.shape[1]):
+            space.crowd[X, agents] = seen.position[world, agent, 0]
+            space.crowd[Y, agents] = seen.position[world, agent, 1]
+            space.crowd[VELOCITY_X, agents] = seen.velocity[world, agent, 0]
+            space.crowd[VELOCITY_Y, agents] = seen.velocity[world, agent, 1]
+            space.crowd[RADIUS, agents] = seen.radius[world, agent]
+            space.crowd[RESPONSIBILITY, agents] = seen.responsibility[world, agent]
+            agents += seen.valid[world, agent]
         for agent in range(movers):
             x = y = 0.0
-            if valid[world, agent]:
-                speed = max_speed[world, agent]
-                count = _find_neighbors(space, agents, column, neighbor_distance[world, agent])
+            if seen.valid[world, agent]:
+                speed = seen.max_speed[world, agent]
+                reach = seen.neighbor_distance[world, agent]
+                count = _find_neighbors(space, agents, column, reach)
                 _write_lines(space, column, count)
-                x, y = preferred_velocity[world, agent, 0], preferred_velocity[world, agent, 1]
+                x = seen.preferred_velocity[world, agent, 0]
+                y = seen.preferred_velocity[world, agent, 1]
                 satisfied, x, y = _best_velocity(space.lines, count, speed, x, y, False)
                 if satisfied < count:
                     x, y = _least_excess_velocity(space, count, satisfied, speed, x, y)

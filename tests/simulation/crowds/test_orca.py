@@ -4,7 +4,8 @@ import numpy as np
 import pyrvo
 import pytest
 
-from socialnav_core.simulation.crowds.orca import orca_step, orca_velocities
+from socialnav_core.simulation.crowds.orca_kernel import Bodies, Foresight, orca_step
+from socialnav_core.simulation.crowds.orca_velocities import orca_velocities
 
 REACH, NEIGHBORS, HORIZON, STEP = 10.0, 10, 5.0, 0.25
 
@@ -184,7 +185,7 @@ def test_only_movers_of_active_worlds_are_written():
     shape, active = (4, 8), np.array([True, False, True, False])
     out = np.full((4, 8, 2), 7.0)
     arguments = [np.ones(shape, bool), np.full(shape, 0.5), np.full(shape, REACH)]
-    orca_step(*scene, *arguments, active, 5, NEIGHBORS, HORIZON, STEP, out)
+    orca_step(Bodies(*scene, *arguments), Foresight(NEIGHBORS, HORIZON, STEP), active, 5, out)
     np.testing.assert_array_equal(out[active, :5], orca_velocities(*scene)[active, :5])
     assert (out[~active] == 7.0).all()
     assert (out[:, 5:] == 7.0).all()
