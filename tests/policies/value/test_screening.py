@@ -39,8 +39,9 @@ def world(position, velocity=(0.0, 0.0), static=False, bounds=np.inf):
 def safe(state, kinematics='holonomic', exact=False, config=SCREENING):
     """Return the safe commands, (n, 2), and whether each of all commands is."""
     commands = action_set(PolicyConfig(kinematics=kinematics))
+    deviation = np.full(state.agents.valid.shape, 0.0 if exact else 0.1)
     mask = safe_actions(
-        state, commands[None], state.agents.velocity, kinematics, 0.25, config, exact
+        state, commands[None], state.agents.velocity, kinematics, 0.25, config, deviation
     )[0]
     return commands[mask], mask
 
