@@ -14,13 +14,15 @@ from socialnav_core.commands import arguments
 from socialnav_core.commands.models import headline
 from socialnav_core.config import Config, PolicyConfig
 from socialnav_core.policies import build_network
+from socialnav_core.policies.value import checkpoint as checkpoints
 from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario
 from socialnav_core.simulation.random_streams import SPLITS
 
 QUICK = ['--scenario', 'simple', '--episodes', '6']
 JSON_FIELDS = {
-    'model', 'scenario', 'seed', 'episodes', 'lookahead', 'success_rate', 'success_interval',
+    'model', 'scenario', 'seed', 'episodes', 'lookahead', 'knowledge', 'success_rate',
+    'success_interval',
     'collision_rate', 'collision_pedestrian_rate', 'collision_obstacle_rate',
     'out_of_bounds_rate', 'timeout_rate', 'navigation_time_mean', 'path_length_mean',
     'minimum_clearance_mean', 'intrusion_rate', 'decisions_per_second', 'cases', 'screening',
@@ -96,6 +98,10 @@ def test_the_splits_are_those_of_the_simulator():
         ['evaluate', 'orca', '--scenario', 'simple', '--split', 'exam'],
         ['evaluate', 'orca', '--scenario', 'simple', '--safety-space', 'nan'],
         ['evaluate', 'orca', '--scenario', 'simple', '--lookahead', 'oracle'],
+        ['evaluate', 'sarl', '--scenario', 'simple', '--lookahead', 'psychic'],
+        ['compare', 'orca', 'straight_line', *QUICK, '--lookahead', 'oracle'],
+        ['train', 'quick', '--set', 'policy.lookahead=psychic'],
+        ['train', 'quick', '--set', 'training.lookahead=psychic'],
         ['evaluate', 'sarl', *QUICK, '--safety-space', '0.2'],
         ['evaluate', 'straight_line', *QUICK, '--safety-space', '0.2'],
         ['evaluate', 'orca', '--scenario', 'simple', '--card'],
@@ -207,9 +213,26 @@ def test_switches_and_settings_reach_the_policy(checkpoint, tmp_path):
     assert run('evaluate', checkpoint, *QUICK, *switches, '--json', file) == 0
     values = json.loads(file.read_text())
     assert (values['lookahead'], values['screening']) == ('oracle', True)
+    assert values['knowledge'] == 'oracle'
     assert run('evaluate', checkpoint, *QUICK, '--json', file, '--overwrite') == 0
     values = json.loads(file.read_text())
     assert (values['lookahead'], values['screening']) == ('constant_velocity', False)
+
+
+def test_what_a_prediction_knows_is_printed_with_its_results(checkpoint, tmp_path, capsys):
+    assert run('evaluate', checkpoint, *QUICK, '--lookahead', 'oracle') == 0
+    assert 'look-ahead oracle (oracle)' in capsys.readouterr().out
+    assert run('compare', 'orca', checkpoint, *QUICK) == 0
+    assert 'constant_velocity (deployable)' in capsys.readouterr().out
+    assert run('render', checkpoint, '--scenario', 'simple', '--out', tmp_path / 'paths.png') == 0
+    assert 'constant_velocity (deployable)' in capsys.readouterr().out
+
+
+def test_a_checkpoint_is_read_once_for_its_card(checkpoint, monkeypatch):
+    read, files = checkpoints.read_tensors, []
+    monkeypatch.setattr(checkpoints, 'read_tensors', lambda path: files.append(path) or read(path))
+    assert run('evaluate', checkpoint, '--scenario', 'circle', '--episodes', 2, '--card') == 0
+    assert len(files) == 1
 
 
 def test_what_was_fixed_in_training_cannot_be_set(failing, checkpoint):

@@ -18,6 +18,7 @@ import numpy as np
 
 from socialnav_core.config.mapping import parse_assignments
 from socialnav_core.evaluation.report import rate_text
+from socialnav_core.evaluation.run import asked_worlds
 from socialnav_core.evaluation.statistics import mcnemar
 from socialnav_core.policies import load_policy
 from socialnav_core.sensing import (
@@ -137,13 +138,15 @@ def run(given: argparse.Namespace, settings: Settings | None) -> tuple[np.ndarra
     perceptions = [Perception(settings, given.seed, case) for case in range(count) if settings]
     command, outcome, duration = np.zeros((count, 2)), np.zeros(count, int), np.zeros(count)
     tick = 0
-    while (active := simulator.active).any():
-        seen = state.select(active)
-        awake = [perceptions[world] for world in np.flatnonzero(active) if settings]
+    policy.reset()
+    while simulator.active.any():
+        asked = asked_worlds(policy, simulator.active)
+        seen = state.select(asked)
+        awake = [perceptions[world] for world in np.flatnonzero(asked) if settings]
         for world, perception in enumerate(awake):
             perception.detect(only(seen, world))
         if tick % TICKS_PER_DECISION == 0:
-            command[active] = policy.act(known(seen, awake, settings) if settings else seen)
+            command[asked] = policy.act(known(seen, awake, settings) if settings else seen)
         state, _, terminated, truncated, info = simulator.advance(command, TICK)
         ended = terminated | truncated
         outcome[ended], duration[ended] = info['outcome'][ended], info['time'][ended]

@@ -8,8 +8,10 @@ import torch
 from torch import nn
 
 from socialnav_core.benchmarking.measurement import in_turns, Measurement
-from socialnav_core.config import LOOKAHEADS, PolicyConfig, Scenario
+from socialnav_core.config import PolicyConfig, Scenario
 from socialnav_core.policies import build_network, ValuePolicy
+from socialnav_core.prediction import PREDICTIONS
+from socialnav_core.prediction.oracle import attach_simulator
 from socialnav_core.simulation import Simulator
 
 REPEATS, REFERENCE_REPEATS, WARM_UP = 200, 5, 20
@@ -28,7 +30,7 @@ def lookahead_measurements(reference: Any) -> list[Measurement]:
     return [
         decision(network, *setting, lookahead, reference)
         for setting in SETTINGS
-        for lookahead in LOOKAHEADS
+        for lookahead in PREDICTIONS
         for network in NETWORKS
     ]
 
@@ -84,7 +86,7 @@ def decision_seconds(network: nn.Module, config: PolicyConfig, pedestrians: int)
     """
     simulator = Simulator(Scenario('benchmark', pedestrians=pedestrians, obstacles=0))
     policy, state = ValuePolicy(network, config), simulator.reset()
-    policy.oracle = simulator.next_agent_velocities
+    attach_simulator(policy.predictor, simulator.next_agent_velocities)
     seconds = np.empty(WARM_UP + REPEATS)
     for i in range(len(seconds)):
         started = time.perf_counter()

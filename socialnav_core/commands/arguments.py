@@ -6,9 +6,8 @@ import math
 import sys
 from typing import Any, NoReturn
 
-from socialnav_core.config import LOOKAHEADS
-
 SPLITS = ('train', 'validation', 'test')
+MODEL_HELP = 'folder of a checkpoint, name in models/, or a policy without network such as orca'
 
 
 class CommandFailure(RuntimeError):
@@ -72,13 +71,14 @@ def add_world_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         '--lookahead',
-        choices=LOOKAHEADS,
-        help='prediction of the pedestrians, of models with a network (their own setting)',
+        metavar='NAME',
+        help='prediction of the pedestrians, such as constant_velocity or, in simulation only, '
+        'oracle (the own setting of the model)',
     )
     parser.add_argument(
         '--screening',
         action=argparse.BooleanOptionalAction,
-        help='mask unsafe actions, of models with a network (their own setting)',
+        help='mask unsafe actions (the own setting of the model)',
     )
     parser.add_argument(
         '--safety-space', type=distance, metavar='M',

@@ -1,13 +1,13 @@
 """Scenarios and policies as they were asked for on the command line."""
 
 import argparse
-from typing import Any
+from typing import Any, TYPE_CHECKING
 
 from socialnav_core.config import ConfigError, Scenario
 from socialnav_core.config.mapping import parse_assignments, replace
 
-BASELINES = ('orca', 'straight_line')
-"""Policies without a network."""
+if TYPE_CHECKING:  # torch takes a second, which --help need not
+    from socialnav_core.policies import Policy
 
 SECTIONS = ('scenario', 'policy')
 
@@ -55,30 +55,56 @@ def chosen_settings(given: argparse.Namespace) -> dict[str, dict[str, Any]]:
     return sections
 
 
-def open_policy(model: str, given: argparse.Namespace, several: bool = False) -> Any:
+def open_policy(model: str, given: argparse.Namespace) -> 'Policy':
     """
     Return a policy with the settings that were changed.
 
     :param model: as typed.
     :param given: parsed arguments of a command with the world options.
-    :param several: whether it is one of several, so that options that it lacks are for others.
     :raises CheckpointError: when the model is damaged.
     :raises ConfigError: when there is no such model, or for settings that it does not have.
     """
-    from socialnav_core.policies import load_policy, ValuePolicy
+    from socialnav_core.policies import load_policy
 
     use_threads(given)
-    safety_space = given.safety_space if model == 'orca' or not several else None
-    if several and model in BASELINES:
-        return load_policy(model, safety_space=safety_space)
-    policy = load_policy(model, given.lookahead, given.screening, safety_space)
-    settings = chosen_settings(given)['policy']
-    if not settings:
-        return policy
-    if not isinstance(policy, ValuePolicy):
-        raise ConfigError(f'{model} has no settings that begin with policy.')
-    config = replace(policy.config, settings, 'policy')
-    for name in ('network', 'heads', 'kinematics'):
-        if getattr(config, name) != getattr(policy.config, name):
-            raise ConfigError(f'policy.{name} was fixed when {model} was trained')
-    return ValuePolicy(policy.network, config)
+    return load_policy(model, **chosen_overrides(given))
+
+
+def open_policies(models: list[str], given: argparse.Namespace) -> dict[str, 'Policy']:
+    """
+    Return several policies by name; each is given those of the changed settings that it has.
+
+    :param models: as typed.
+    :param given: parsed arguments of a command with the world options.
+    :raises CheckpointError: when a model is damaged.
+    :raises ConfigError: when there is no such model, or for settings that none of them has.
+    """
+    from socialnav_core.policies import load_policy
+    from socialnav_core.policies.loading import has_setting
+
+    use_threads(given)
+    overrides = chosen_overrides(given)
+    foreign = [name for name in overrides if not any(has_setting(one, name) for one in models)]
+    return {
+        model: load_policy(
+            model,
+            **{
+                name: value
+                for name, value in overrides.items()
+                if has_setting(model, name) or name in foreign  # which is then complained about
+            },
+        )
+        for model in models
+    }
+
+
+def chosen_overrides(given: argparse.Namespace) -> dict[str, Any]:
+    """
+    Return the settings of policies that were changed, by name.
+
+    :param given: parsed arguments of a command with the world options.
+    :raises ConfigError: for an assignment to another section.
+    """
+    switches = {name: getattr(given, name) for name in ('lookahead', 'screening', 'safety_space')}
+    chosen = {name: value for name, value in switches.items() if value is not None}
+    return chosen | chosen_settings(given)['policy']

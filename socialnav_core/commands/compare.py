@@ -8,8 +8,9 @@ from socialnav_core.commands.arguments import (
     add_command,
     add_overwrite_option,
     add_world_options,
+    MODEL_HELP,
 )
-from socialnav_core.commands.choices import chosen_scenario, open_policy
+from socialnav_core.commands.choices import chosen_scenario, open_policies
 from socialnav_core.commands.evaluate import add_episodes_option, described, measure
 from socialnav_core.commands.files import require_new, write_json
 from socialnav_core.config import ConfigError
@@ -28,9 +29,7 @@ def add_parser(commands: Any) -> None:
         "Run some policies on the same cases and print the paired differences (McNemar's test)."
     )
     parser = add_command(commands, 'compare', run, summary, EXAMPLES)
-    parser.add_argument(
-        'models', metavar='MODEL', nargs='+', help='folder, name in models/, orca or straight_line'
-    )
+    parser.add_argument('models', metavar='MODEL', nargs='+', help=MODEL_HELP)
     add_world_options(parser)
     add_episodes_option(parser)
     parser.add_argument('--json', type=Path, metavar='FILE', help='write all figures and cases')
@@ -48,11 +47,9 @@ def run(given: argparse.Namespace) -> None:
 
     if len(given.models) < 2 or len(set(given.models)) < len(given.models):
         raise ConfigError('name two or more different models')
-    if given.safety_space is not None and 'orca' not in given.models:
-        raise ConfigError('only orca has a safety space')
     require_new(given.json, given)
     scenario = chosen_scenario(given)
-    policies = {model: open_policy(model, given, several=True) for model in given.models}
+    policies = open_policies(given.models, given)
     results = [measure(model, policy, scenario, given) for model, policy in policies.items()]
     comparisons = compare(results)
     print(comparison_text(results, comparisons))

@@ -1,20 +1,31 @@
 """`socialnav evaluate`: how good a policy is."""
 
 import argparse
+import dataclasses
 from pathlib import Path
-from typing import Any
+from typing import Any, TYPE_CHECKING
 
 from socialnav_core.commands.arguments import (
     add_command,
     add_overwrite_option,
     add_world_options,
+    MODEL_HELP,
     positive_number,
     progress_bar,
 )
-from socialnav_core.commands.choices import BASELINES, chosen_scenario, open_policy
+from socialnav_core.commands.choices import (
+    chosen_overrides,
+    chosen_scenario,
+    open_policy,
+    use_threads,
+)
 from socialnav_core.commands.files import require_new, write_json
 from socialnav_core.config import ConfigError, Scenario
 from socialnav_core.config.mapping import parse_assignments
+
+if TYPE_CHECKING:  # torch takes a second, which --help need not
+    from socialnav_core.policies import Policy, PolicyDescription
+    from socialnav_core.policies.value.checkpoint import Checkpoint
 
 EXAMPLES = """orca --scenario hard --safety-space 0.15
 sarl --scenario crowd20 --episodes 5000 --json out/crowd20.json
@@ -30,9 +41,7 @@ def add_parser(commands: Any) -> None:
     """
     summary = 'Run a policy on unseen cases, each once, and print what came of it.'
     parser = add_command(commands, 'evaluate', run, summary, EXAMPLES)
-    parser.add_argument(
-        'model', metavar='MODEL', help='folder, name in models/, orca or straight_line'
-    )
+    parser.add_argument('model', metavar='MODEL', help=MODEL_HELP)
     add_world_options(parser)
     add_episodes_option(parser)
     parser.add_argument('--json', type=Path, metavar='FILE', help='write all figures and cases')
@@ -62,26 +71,24 @@ def run(given: argparse.Namespace) -> None:
     from socialnav_core.evaluation.report import evaluation_text
 
     require_new(given.json, given)
-    require_plain_settings(given)
     scenario = chosen_scenario(given)
-    policy = open_policy(given.model, given)
-    if given.card and not given.overwrite:
-        require_no_better_card(policy, scenario, given)
+    card = open_card(given) if given.card else None
+    policy = card.policy(given) if card else open_policy(given.model, given)
+    if card and not given.overwrite:
+        card.require_no_better(policy.description, scenario, given)
     result = measure(given.model, policy, scenario, given)
     print(evaluation_text(result))
     values = described(result, given)
     write_json(given.json, values)
-    if given.card:
-        update_card(given.model, values)
+    if card:
+        card.add(values)
 
 
-def measure(model: str, policy: Any, scenario: Scenario, given: argparse.Namespace) -> Any:
+def measure(model: str, policy: 'Policy', scenario: Scenario, given: argparse.Namespace) -> Any:
     """
     Return the result of a policy.
 
     :param model: its name.
-    :param policy: a Policy.
-    :param scenario: the world.
     :param given: parsed arguments: episodes, seed, split.
     """
     from socialnav_core.evaluation import evaluate
@@ -100,58 +107,61 @@ def described(result: Any, given: argparse.Namespace) -> dict[str, Any]:
     :param result: of evaluate.
     :param given: parsed arguments.
     """
-    from socialnav_core.policies.orca import SAFETY_SPACE
-
     values = result.to_mapping()
     cases = values.pop('cases')
-    values['settings'] = parse_assignments(given.assignments)
-    if result.model == 'orca':
-        chosen = given.safety_space
-        values['settings']['safety_space'] = SAFETY_SPACE if chosen is None else chosen
+    values['settings'] = parse_assignments(given.assignments) | dict(result.policy.settings)
     return values | {'cases': cases}
 
 
-def require_plain_settings(given: argparse.Namespace) -> None:
-    """
-    Raise a ConfigError when a result for a model card is not one of a model as it is.
+@dataclasses.dataclass(frozen=True)
+class Card:
+    """The model card that a result is for, and the checkpoint, which is read once."""
 
-    :param given: parsed arguments.
+    folder: Path
+    """Of the checkpoint."""
+    checkpoint: 'Checkpoint'
+    """What it holds."""
+
+    def policy(self, given: argparse.Namespace) -> 'Policy':
+        """Return the policy of the checkpoint as it was asked for."""
+        from socialnav_core.policies.loading import value_policy
+
+        return value_policy(given.model, self.checkpoint, chosen_overrides(given))
+
+    def require_no_better(
+        self, policy: 'PolicyDescription', scenario: Scenario, given: argparse.Namespace
+    ) -> None:
+        """Raise a ConfigError when the card has a better result of the same kind."""
+        from socialnav_core.training.model_card import require_no_better
+
+        planned = {
+            'scenario': scenario.name, 'lookahead': policy.prediction,
+            'screening': policy.screening, 'split': given.split, 'episodes': given.episodes,
+        }  # fmt: skip
+        require_no_better(self.folder, self.checkpoint.config, planned)
+
+    def add(self, values: dict[str, Any]) -> None:
+        """Add a result to the metrics and write the card anew."""
+        from socialnav_core.training import add_result, write_model_card
+
+        add_result(self.folder, self.checkpoint.config, values)
+        write_model_card(self.folder, self.checkpoint)
+
+
+def open_card(given: argparse.Namespace) -> Card:
     """
-    if given.card and given.model in BASELINES:
+    Return the card of the model that was asked for.
+
+    :raises CheckpointError: when the model is damaged.
+    :raises ConfigError: when there is no such model, or the result is not one of it as it is.
+    """
+    from socialnav_core.policies.loading import find_model, WITHOUT_NETWORK
+    from socialnav_core.policies.value.checkpoint import load_checkpoint
+
+    if given.model in WITHOUT_NETWORK:
         raise ConfigError(f'{given.model} has no model card: drop --card')
-    if given.card and given.assignments:
+    if given.assignments:
         raise ConfigError('a card holds results of unchanged settings: drop --set or --card')
-
-
-def require_no_better_card(policy: Any, scenario: Scenario, given: argparse.Namespace) -> None:
-    """
-    Raise a ConfigError when the card of a model has a better result of the same kind.
-
-    :param policy: a ValuePolicy.
-    :param scenario: the world.
-    :param given: parsed arguments.
-    """
-    from socialnav_core.policies.loading import find_model
-    from socialnav_core.training.model_card import require_no_better
-
-    planned = {
-        'scenario': scenario.name, 'lookahead': policy.config.lookahead,
-        'screening': policy.config.screening.enabled, 'split': given.split,
-        'episodes': given.episodes,
-    }  # fmt: skip
-    require_no_better(find_model(given.model), planned)
-
-
-def update_card(model: str, values: dict[str, Any]) -> None:
-    """
-    Add a result to the metrics and the card of a model.
-
-    :param model: a folder, or a name in models/.
-    :param values: the result.
-    """
-    from socialnav_core.policies.loading import find_model
-    from socialnav_core.training import add_result, write_model_card
-
-    folder = find_model(model)
-    add_result(folder, values)
-    write_model_card(folder)
+    use_threads(given)
+    folder = find_model(given.model)
+    return Card(folder, load_checkpoint(folder))

@@ -60,10 +60,11 @@ def write_cards(folders: list[Path]) -> None:
 
     :param folders: of the checkpoints.
     """
+    from socialnav_core.policies.value.checkpoint import load_checkpoint
     from socialnav_core.training import write_model_card
 
     for folder in folders:
-        write_model_card(folder)
+        write_model_card(folder, load_checkpoint(folder))
 
 
 def row(folder: Path) -> tuple[str, ...]:
@@ -72,14 +73,10 @@ def row(folder: Path) -> tuple[str, ...]:
 
     :param folder: of the checkpoint.
     """
-    from socialnav_core.policies.value.checkpoint import (
-        checkpoint_digest,
-        CheckpointError,
-        load_checkpoint,
-    )
+    from socialnav_core.policies.value.checkpoint import CheckpointError, load_checkpoint
 
     try:
-        network, config = load_checkpoint(folder)
+        network, config, digest = load_checkpoint(folder)
     except CheckpointError as error:
         return (folder.name, 'damaged', '', '', str(error), '')
     parameters = sum(parameter.numel() for parameter in network.parameters())
@@ -91,7 +88,7 @@ def row(folder: Path) -> tuple[str, ...]:
         f'{parameters:,}',
         config.scenario.name,
         headlines(folder / 'metrics.json'),
-        checkpoint_digest(folder)[:DIGEST_LENGTH],
+        digest[:DIGEST_LENGTH],
     )
 
 

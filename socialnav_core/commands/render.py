@@ -9,6 +9,7 @@ from socialnav_core.commands.arguments import (
     add_command,
     add_overwrite_option,
     add_world_options,
+    MODEL_HELP,
     whole_number,
 )
 from socialnav_core.commands.choices import chosen_scenario, open_policy
@@ -35,9 +36,7 @@ def add_parser(commands: Any) -> None:
         '--bag writes it as a ROS 2 bag.'
     )
     parser = add_command(commands, 'render', run, summary, EXAMPLES)
-    parser.add_argument(
-        'model', metavar='MODEL', help='folder, name in models/, orca or straight_line'
-    )
+    parser.add_argument('model', metavar='MODEL', help=MODEL_HELP)
     add_world_options(parser)
     parser.add_argument(
         '--case', type=whole_number, default=0, metavar='I', help='index of the case (0)'
@@ -69,9 +68,10 @@ def run(given: argparse.Namespace) -> None:
     scenario = chosen_scenario(given)
     policy = open_policy(given.model, given)
     recording = record(policy, scenario, given.seed, given.case, given.split, name)
+    look_ahead = f', look-ahead {recording.look_ahead}' if recording.look_ahead else ''
     for path in paths:
         write(recording, path)
-        print(f'{path}: {summary(recording)}')
+        print(f'{path}: {summary(recording)}{look_ahead}')
 
 
 def picture_path(given: argparse.Namespace, name: str) -> Path | None:

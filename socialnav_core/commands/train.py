@@ -4,7 +4,7 @@ import argparse
 import functools
 from pathlib import Path
 import sys
-from typing import Any
+from typing import Any, TYPE_CHECKING
 
 from socialnav_core.commands.arguments import (
     add_command,
@@ -15,6 +15,10 @@ from socialnav_core.commands.arguments import (
 )
 from socialnav_core.commands.choices import use_threads
 from socialnav_core.config.mapping import parse_assignments
+
+if TYPE_CHECKING:  # torch takes a second, which --help need not
+    from socialnav_core.config import Scenario
+    from socialnav_core.policies import Policy
 
 EXAMPLES = """quick
 sarl --out out/sarl --seed 1
@@ -71,11 +75,10 @@ def run(given: argparse.Namespace) -> None:
     print(f'{out}: trained; measure it with socialnav evaluate {out} --scenario NAME')
 
 
-def validate(policy: Any, scenario: Any, name: str, seed: int) -> dict[str, Any]:
+def validate(policy: 'Policy', scenario: 'Scenario', name: str, seed: int) -> dict[str, Any]:
     """
     Print and return how a trained policy does on cases of the validation split.
 
-    :param policy: the policy.
     :param scenario: the world that it was trained in.
     :param name: of the run.
     :param seed: of the run.

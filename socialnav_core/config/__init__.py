@@ -1,7 +1,7 @@
 """Every setting, as frozen dataclasses, and the YAML files and names that they come from."""
 
 from socialnav_core.config.mapping import ConfigError, require, require_choice
-from socialnav_core.config.policy import LOOKAHEADS, PolicyConfig, ScreeningConfig
+from socialnav_core.config.policy import PolicyConfig, ScreeningConfig
 from socialnav_core.config.reading import read_config
 from socialnav_core.config.scenario import CROWDS, KINEMATICS, OrcaConfig, RewardConfig, Scenario
 from socialnav_core.config.scenarios import make_scenario, resolve_scenario, SCENARIOS
@@ -19,7 +19,6 @@ __all__ = [
     'CurriculumConfig',
     'ImitationConfig',
     'KINEMATICS',
-    'LOOKAHEADS',
     'OrcaConfig',
     'PolicyConfig',
     'RewardConfig',

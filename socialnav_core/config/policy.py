@@ -6,7 +6,6 @@ import math
 from socialnav_core.config.mapping import require, require_choice
 from socialnav_core.config.scenario import KINEMATICS, RewardConfig
 
-LOOKAHEADS = ('constant_velocity', 'oracle')
 NETWORKS = ('sarl', 'gat4sn', 'gat4sn_linear', 'gat4sn_v2')
 
 
@@ -43,7 +42,7 @@ class PolicyConfig:
     kinematics: str = 'holonomic'
     """Motion of the robot: holonomic or differential."""
     lookahead: str = 'constant_velocity'
-    """Prediction of the pedestrians: constant_velocity, or oracle (simulation only)."""
+    """Prediction of the pedestrians: a name in prediction.PREDICTIONS."""
     time_step: float = 0.25
     """Time that an action lasts, s."""
     goal_tolerance: float = 0.3
@@ -57,6 +56,5 @@ class PolicyConfig:
         """Refuse values that describe no policy."""
         require_choice('policy.network', self.network, NETWORKS)
         require_choice('kinematics', self.kinematics, KINEMATICS)
-        require_choice('lookahead', self.lookahead, LOOKAHEADS)
         require(self.heads >= 1, 'policy.heads must be at least 1')
         require(self.speeds >= 1 and self.headings >= 1, 'policy: the action set is empty')

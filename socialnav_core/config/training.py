@@ -3,7 +3,7 @@
 import dataclasses
 
 from socialnav_core.config.mapping import require, require_choice
-from socialnav_core.config.policy import LOOKAHEADS, PolicyConfig
+from socialnav_core.config.policy import PolicyConfig
 from socialnav_core.config.scenario import Scenario
 
 DEVICES = ('cpu', 'cuda')
@@ -107,7 +107,7 @@ class TrainingConfig:
     epsilon_share: float = 0.5
     """Share of the run over which epsilon falls linearly."""
     lookahead: str = 'oracle'
-    """Prediction of the pedestrians while training: oracle or constant_velocity."""
+    """Prediction of the pedestrians while training: a name in prediction.PREDICTIONS."""
     device: str = 'cpu'
     """Where the network is computed: cpu or cuda; another device gives other weights."""
     bfloat16: bool = True
@@ -123,7 +123,6 @@ class TrainingConfig:
 
     def __post_init__(self) -> None:
         """Refuse values with which nothing can be learned."""
-        require_choice('training.lookahead', self.lookahead, LOOKAHEADS)
         require_choice('training.device', self.device, DEVICES)
         for name in POSITIVE_TRAINING_FIELDS:
             require(getattr(self, name) > 0, f'training.{name} must be positive')

@@ -67,7 +67,9 @@ COMPARISON_COLUMNS = (
     'p (Holm)',
     'time, both solved',
 )
-RESULT_COLUMNS = ('model', 'success', 'collision', 'time-out', 'time', 'path', 'intrusion')
+RESULT_COLUMNS = (
+    'model', 'look-ahead', 'success', 'collision', 'time-out', 'time', 'path', 'intrusion',
+)  # fmt: skip
 
 
 def result_row(result: EvaluationResult) -> tuple[str, ...]:
@@ -79,6 +81,7 @@ def result_row(result: EvaluationResult) -> tuple[str, ...]:
     summary = result.summary()
     return (
         result.model,
+        result.policy.look_ahead or NOTHING,
         rate_text(summary['success_rate'], result.episodes),
         number(summary['collision_rate'], 3),
         number(summary['timeout_rate'], 3),
@@ -110,11 +113,14 @@ def title(result: EvaluationResult) -> str:
 
     :param result: of evaluate.
     """
-    how = f'look-ahead {result.lookahead}, screening {"on" if result.screening else "off"}'
+    policy = result.policy
     cases = f'{result.episodes} cases of {result.split}, seed {result.seed}'
-    return f'{result.model} in {result.scenario}: {cases}' + (
-        f', {how}' if result.lookahead else ''
+    how = (
+        f', look-ahead {policy.look_ahead}, screening {"on" if policy.screening else "off"}'
+        if policy.look_ahead
+        else ''
     )
+    return f'{result.model} in {result.scenario}: {cases}{how}'
 
 
 def rate_text(rate: float | None, episodes: int) -> str:

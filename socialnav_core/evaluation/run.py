@@ -16,7 +16,12 @@ from socialnav_core.evaluation.metrics import (
     summarise,
 )
 from socialnav_core.evaluation.statistics import wilson_interval
-from socialnav_core.policies.protocol import attach_oracle, require_same_kinematics
+from socialnav_core.policies.protocol import (
+    Policy,
+    PolicyDescription,
+    require_same_kinematics,
+)
+from socialnav_core.prediction.oracle import attach_simulator
 from socialnav_core.simulation import Simulator
 from socialnav_core.states import CrowdState
 
@@ -36,10 +41,8 @@ class EvaluationResult:
     """Seed of the cases."""
     split: str
     """Split of the cases."""
-    lookahead: str | None
-    """Prediction of the pedestrians; None for a policy that does not look ahead."""
-    screening: bool
-    """Whether actions were screened."""
+    policy: PolicyDescription
+    """What the policy is: its prediction, what that knows, screening."""
     records: EpisodeRecords
     """How each episode went."""
     decision_seconds: float
@@ -71,9 +74,12 @@ class EvaluationResult:
 
     def to_mapping(self) -> dict[str, Any]:
         """Return everything as plain values, fit for JSON."""
-        named = ('model', 'scenario', 'seed', 'split', 'episodes', 'lookahead', 'screening')
+        named = ('model', 'scenario', 'seed', 'split', 'episodes')
         return {
             **{name: getattr(self, name) for name in named},
+            'lookahead': self.policy.prediction,
+            'knowledge': self.policy.knowledge,
+            'screening': self.policy.screening,
             'success_interval': list(self.success_interval),
             **self.summary(),
             'decisions_per_second': self.decisions_per_second,
@@ -82,7 +88,7 @@ class EvaluationResult:
 
 
 def evaluate(
-    policy: Any,
+    policy: Policy,
     scenario: Scenario,
     episodes: int = 500,
     seed: int = 0,
@@ -94,10 +100,8 @@ def evaluate(
     """
     Run the cases 0 to episodes - 1, each exactly once.
 
-    :param policy: a Policy.
-    :param scenario: the world.
     :param episodes: number of cases, at least 1.
-    :param seed: seed of the cases.
+    :param seed: of the cases.
     :param split: train, validation or test.
     :param batch_size: worlds that are run side by side.
     :param name: name of the policy in the result.
@@ -110,7 +114,10 @@ def evaluate(
     simulator = Simulator(scenario, min(batch_size, episodes))
     state = simulator.reset(seed=seed, split=split, cases=records.case_index)
     policy.reset()
-    attach_oracle(policy, lambda: simulator.next_agent_velocities()[simulator.active])
+    attach_simulator(
+        policy.predictor,
+        lambda: simulator.next_agent_velocities()[asked_worlds(policy, simulator.active)],
+    )
     intrusions = np.zeros(simulator.batch_size, np.int64)  # of the running episodes
     seconds = 0.0
     while (active := simulator.active).any():
@@ -122,33 +129,42 @@ def evaluate(
         ended = np.flatnonzero(terminated | truncated)
         _keep(records, ended, info | {'intrusions': intrusions})
         intrusions[ended] = 0
-        if progress is not None and len(ended):
-            progress(len(ended))
-    config = getattr(policy, 'config', None)
+        if len(ended):
+            policy.reset(ended)
+            if progress is not None:
+                progress(len(ended))
     return EvaluationResult(
         model=name,
         scenario=scenario.name,
         seed=seed,
         split=split,
-        lookahead=config.lookahead if config else None,
-        screening=config.screening.enabled if config else False,
+        policy=policy.description,
         records=records,
         decision_seconds=seconds,
     )
 
 
-def commands_where_active(policy: Any, state: CrowdState, active: np.ndarray) -> np.ndarray:
+def asked_worlds(policy: Policy, active: np.ndarray) -> np.ndarray:
     """
-    Return the commands of a policy, zero in idle worlds, about which it is not asked, (batch, 2).
+    Return the worlds that a policy is asked about, bool (batch,).
 
-    :param policy: a Policy.
-    :param state: all worlds.
-    :param active: which of them run, bool (batch,).
+    Those are the active ones; a policy that remembers is always asked about all, so that each
+    row stays the same world.
     """
-    if active.all():
+    return np.ones_like(active) if policy.description.remembers else active
+
+
+def commands_where_active(policy: Policy, state: CrowdState, active: np.ndarray) -> np.ndarray:
+    """
+    Return the commands of a policy in all worlds, zero where it is not asked, (batch, 2).
+
+    :param active: which worlds run, bool (batch,).
+    """
+    asked = asked_worlds(policy, active)
+    if asked.all():
         return policy.act(state)
-    commands = np.zeros((len(active), 2))
-    commands[active] = policy.act(state.select(active))
+    commands = np.zeros((len(asked), 2))
+    commands[asked] = policy.act(state.select(asked))
     return commands
 
 

@@ -2,7 +2,7 @@
 
 from socialnav_core.policies.loading import load_policy
 from socialnav_core.policies.orca import OrcaPolicy
-from socialnav_core.policies.protocol import Policy
+from socialnav_core.policies.protocol import Policy, PolicyDescription
 from socialnav_core.policies.straight_line import StraightLinePolicy
 from socialnav_core.policies.value.checkpoint import build_network, CheckpointError
 from socialnav_core.policies.value.gat4sn import Gat4snValueNetwork
@@ -15,6 +15,7 @@ __all__ = [
     'Gat4snValueNetwork',
     'OrcaPolicy',
     'Policy',
+    'PolicyDescription',
     'SarlValueNetwork',
     'StraightLinePolicy',
     'ValuePolicy',

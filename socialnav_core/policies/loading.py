@@ -1,49 +1,112 @@
-"""How a policy is found by its name."""
+"""How a policy is found by its name, and made with other settings than its own."""
 
+from collections.abc import Callable, Mapping
 import dataclasses
 import os
 from pathlib import Path
+from typing import Any
 
-from socialnav_core.config import ConfigError, require
+from torch import cuda
+
+from socialnav_core.config import ConfigError, PolicyConfig, require
+from socialnav_core.config.mapping import flatten, replace, to_mapping
 from socialnav_core.policies.orca import OrcaPolicy
 from socialnav_core.policies.protocol import Policy
 from socialnav_core.policies.straight_line import StraightLinePolicy
-from socialnav_core.policies.value.checkpoint import load_checkpoint, WEIGHTS
+from socialnav_core.policies.value.checkpoint import Checkpoint, load_checkpoint, WEIGHTS
 from socialnav_core.policies.value.lookahead import ValuePolicy
 
 MODELS = Path(__file__).parents[2] / 'models'
 """Checkpoints of a checkout; an installed package has none and takes folders only."""
 
 
-def load_policy(
-    model: str | Path,
-    lookahead: str | None = None,
-    screening: bool | None = None,
-    safety_space: float | None = None,
-) -> Policy:
+@dataclasses.dataclass(frozen=True)
+class WithoutNetwork:
+    """A policy that needs no checkpoint."""
+
+    settings: Any
+    """What can be overridden, with its defaults: a dataclass."""
+    make: Callable[[Any], Policy] = lambda settings: settings
+    """Returns the policy of such settings; where there is none, they are the policy themselves."""
+
+
+WITHOUT_NETWORK = {
+    'orca': WithoutNetwork(OrcaPolicy()),
+    'straight_line': WithoutNetwork(StraightLinePolicy()),
+}
+"""Policies that need no checkpoint, by name."""
+SHORT_NAMES = {'screening': 'screening.enabled'}
+"""Settings that may be called by less than their whole name."""
+FIXED = ('network', 'heads', 'kinematics')
+"""Settings of a value network that were fixed when it was trained."""
+DEVICE = 'device'
+"""Where a network is computed, cpu or cuda: not a setting that a checkpoint holds."""
+
+
+def load_policy(model: str | Path, **overrides: Any) -> Policy:
     """
     Return a policy that is ready to act.
 
-    :param model: orca, straight_line, the folder of a checkpoint or the name of one in models/.
-    :param lookahead: overrides the checkpoint's: constant_velocity or oracle.
-    :param screening: overrides the checkpoint's.
-    :param safety_space: added to every radius by orca, m (0.15).
+    :param model: a name in WITHOUT_NETWORK, the folder of a checkpoint or a name in models/.
+    :param overrides: settings by name, dotted where they are nested, such as lookahead='oracle',
+        screening=True, goal_tolerance=0.2 or **{'screening.horizon': 2.0}; None leaves the
+        policy's own. `settings_of` names all.
     :raises CheckpointError: when the checkpoint is damaged.
     :raises ConfigError: when there is no such model, or it lacks what is to be overridden.
     """
-    require(safety_space is None or model == 'orca', f'{model} has no safety space, orca has')
-    if model in ('orca', 'straight_line'):
-        plain = lookahead is None and screening is None
-        require(plain, f'{model} has neither look-ahead nor screening')
-        return OrcaPolicy(safety_space) if model == 'orca' else StraightLinePolicy()
-    network, config = load_checkpoint(find_model(model))
-    policy = config.policy
-    if lookahead is not None:
-        policy = dataclasses.replace(policy, lookahead=lookahead)
-    if screening is not None:
-        switch = dataclasses.replace(policy.screening, enabled=screening)
-        policy = dataclasses.replace(policy, screening=switch)
-    return ValuePolicy(network, policy)
+    if model in WITHOUT_NETWORK:
+        entry = WITHOUT_NETWORK[str(model)]
+        return entry.make(replace(entry.settings, wanted_settings(model, overrides), str(model)))
+    return value_policy(model, load_checkpoint(find_model(model)), overrides)
+
+
+def value_policy(
+    model: str | Path, checkpoint: Checkpoint, overrides: Mapping[str, Any]
+) -> ValuePolicy:
+    """
+    Return the policy of a checkpoint; see `load_policy`.
+
+    :param model: its name, for messages.
+    """
+    wanted = wanted_settings(model, overrides)
+    for name in FIXED:
+        require(name not in wanted, f'policy.{name} was fixed when {model} was trained')
+    device = wanted.pop(DEVICE, 'cpu')
+    if device == 'cuda' and not cuda.is_available():
+        raise ConfigError('device cuda needs a CUDA GPU and a CUDA build of torch; use cpu')
+    config = replace(checkpoint.config.policy, wanted, 'policy')
+    return ValuePolicy(checkpoint.network.to(device), config)
+
+
+def wanted_settings(model: str | Path, overrides: Mapping[str, Any]) -> dict[str, Any]:
+    """
+    Return the overrides that are not None, by the settings' whole names.
+
+    :raises ConfigError: for a setting that the policy of the model lacks; tells what there is.
+    """
+    known = settings_of(model)
+    wanted = {
+        SHORT_NAMES.get(name, name): value
+        for name, value in overrides.items()
+        if value is not None
+    }
+    for name in wanted:
+        require(
+            name in known, f'{model} has no setting {name!r}; it has {", ".join(known) or "none"}'
+        )
+    return wanted
+
+
+def has_setting(model: str | Path, name: str) -> bool:
+    """Return whether the policy of a model has a setting, by a name that `load_policy` takes."""
+    return SHORT_NAMES.get(name, name) in settings_of(model)
+
+
+def settings_of(model: str | Path) -> tuple[str, ...]:
+    """Return the names of the settings that the policy of a model has."""
+    if model in WITHOUT_NETWORK:
+        return tuple(flatten(to_mapping(WITHOUT_NETWORK[str(model)].settings)))
+    return (*flatten(to_mapping(PolicyConfig())), DEVICE)
 
 
 def find_model(model: str | Path) -> Path:
@@ -57,5 +120,5 @@ def find_model(model: str | Path) -> Path:
         if os.path.isfile(folder / WEIGHTS):  # no error for what cannot be a path
             return folder
     known = sorted(path.parent.name for path in MODELS.glob(f'*/{WEIGHTS}'))
-    choices = ', '.join(['orca', 'straight_line', *known])
+    choices = ', '.join([*WITHOUT_NETWORK, *known])
     raise ConfigError(f'no model {str(model)!r}: give the folder of a checkpoint or {choices}')

@@ -4,15 +4,15 @@ import dataclasses
 
 import numpy as np
 
-from socialnav_core.config import OrcaConfig
+from socialnav_core.config import OrcaConfig, require
+from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.policies.straight_line import preferred_velocity
 from socialnav_core.simulation.crowds.orca import avoid
+from socialnav_core.simulation.kinematics import Limits
 from socialnav_core.states import CrowdState
 
-SAFETY_SPACE = 0.15
-"""Usually added to every radius, m."""
 
-
+@dataclasses.dataclass(frozen=True)
 class OrcaPolicy:
     """
     Optimal reciprocal collision avoidance, as if everybody shared the effort.
@@ -21,30 +21,29 @@ class OrcaPolicy:
     """
 
     kinematics = 'holonomic'
+    predictor = None
+    plan = None
 
-    def __init__(
-        self,
-        safety_space: float | None = None,
-        orca: OrcaConfig | None = None,
-        time_step: float = 0.25,
-    ) -> None:
-        """
-        Choose the settings.
+    safety_space: float = 0.15
+    """Added to every radius, m."""
+    orca: OrcaConfig = OrcaConfig()
+    """The other settings of ORCA; its own safety space is not used."""
+    time_step: float = 0.25
+    """Time that a command lasts, s."""
 
-        :param safety_space: added to every radius, m; None: SAFETY_SPACE.
-        :param orca: the other settings of ORCA; its own safety space is not used.
-        :param time_step: s.
-        """
-        self.safety_space = SAFETY_SPACE if safety_space is None else safety_space
-        self.orca = orca or OrcaConfig()
-        self.time_step = time_step
+    def __post_init__(self) -> None:
+        """Refuse settings that cannot be."""
+        require(0.0 <= self.safety_space < np.inf, 'safety_space must be at least 0 m')
+        require(0.0 < self.time_step < np.inf, 'time_step must be more than 0 s')
 
-    def act(self, state: CrowdState) -> np.ndarray:
-        """
-        Return the commands, (batch, 2).
+    @property
+    def description(self) -> PolicyDescription:
+        """Return what results tell of this policy."""
+        settings = {'safety_space': self.safety_space}
+        return PolicyDescription('orca', self.kinematics, settings=settings)
 
-        :param state: the worlds as they are.
-        """
+    def act(self, state: CrowdState, limits: Limits | None = None) -> np.ndarray:
+        """Return the commands, (batch, 2)."""
         everybody = state.robot.as_agents().append(state.agents)
         preferred, speed = np.zeros_like(everybody.position), np.zeros_like(everybody.radius)
         preferred[:, 0], speed[:, 0] = preferred_velocity(state), state.robot.preferred_speed
@@ -54,5 +53,8 @@ class OrcaPolicy:
         avoid(everybody, preferred, speed, settings, self.time_step, every, 1, out)
         return out[:, 0]
 
-    def reset(self) -> None:
+    def attention(self, state: CrowdState) -> None:
+        """Return nothing: everybody counts as they must."""
+
+    def reset(self, worlds: np.ndarray | None = None) -> None:
         """Do nothing: there is no memory."""

@@ -1,52 +1,87 @@
 """What every policy is."""
 
-from typing import Any, Protocol
+from collections.abc import Mapping
+import dataclasses
+from typing import Protocol
 
 import numpy as np
 
 from socialnav_core.config import ConfigError, Scenario
+from socialnav_core.prediction import Predictor
+from socialnav_core.simulation.kinematics import Limits
 from socialnav_core.states import CrowdState
+
+
+@dataclasses.dataclass(frozen=True)
+class PolicyDescription:
+    """What results tell of a policy."""
+
+    name: str
+    """Kind of the policy: that of its network, or orca, straight_line ..."""
+    kinematics: str
+    """holonomic: commands are (vx, vy) in the world frame; differential: (speed, turn rate)."""
+    prediction: str | None = None
+    """Name of its prediction of the pedestrians; None where it has none."""
+    knowledge: str | None = None
+    """What that may know; see `Predictor`."""
+    screening: bool = False
+    """Whether its actions are screened."""
+    remembers: bool = False
+    """Whether decisions depend on earlier ones: row i of all states is then the same world."""
+    settings: Mapping[str, float] = dataclasses.field(default_factory=dict)
+    """Other settings that a result is to tell, by name."""
+
+    @property
+    def look_ahead(self) -> str | None:
+        """Return its prediction and what that knows, as texts tell them; None without one."""
+        return f'{self.prediction} ({self.knowledge})' if self.prediction else None
 
 
 class Policy(Protocol):
     """Chooses a command for the robot of each world."""
 
-    kinematics: str
-    """holonomic: commands are (vx, vy) in the world frame; differential: (speed, turn rate)."""
+    @property
+    def description(self) -> PolicyDescription:
+        """Return what results tell of it."""
+        ...
 
-    def act(self, state: CrowdState) -> np.ndarray:
+    @property
+    def predictor(self) -> Predictor | None:
+        """Return what it predicts people by; None for a policy without a prediction."""
+        ...
+
+    @property
+    def plan(self) -> np.ndarray | None:
+        """Return where the latest decision leads, for eyes, m, (batch, steps, 2), if it tells."""
+        ...
+
+    def act(self, state: CrowdState, limits: Limits | None = None) -> np.ndarray:
         """
         Return the commands, float64 (batch, 2).
 
-        :param state: the worlds as they are.
+        :param limits: what the robot can do until its next command, None: anything. A policy may
+            leave them aside: whoever passes them on cuts its commands to them.
         """
         ...
 
-    def reset(self) -> None:
-        """Forget what was seen; a new episode begins."""
+    def attention(self, state: CrowdState) -> np.ndarray | None:
+        """Return how much it looks at each agent, summing to 1, (batch, agents), if it tells."""
+        ...
+
+    def reset(self, worlds: np.ndarray | None = None) -> None:
+        """
+        Forget what was seen of worlds that begin a new episode.
+
+        :param worlds: indices or a mask; None for all.
+        """
         ...
 
 
-def require_same_kinematics(policy: Any, scenario: Scenario) -> None:
-    """
-    Raise a ConfigError when a policy cannot drive the robot of a scenario.
-
-    :param policy: a Policy.
-    :param scenario: the world.
-    """
-    if policy.kinematics != scenario.kinematics:
+def require_same_kinematics(policy: Policy, scenario: Scenario) -> None:
+    """Raise a ConfigError when a policy cannot drive the robot of a scenario."""
+    kinematics = policy.description.kinematics
+    if kinematics != scenario.kinematics:
         raise ConfigError(
-            f'the policy drives a {policy.kinematics} robot and scenario {scenario.name} has a '
-            f'{scenario.kinematics} one; set scenario.kinematics={policy.kinematics}'
+            f'the policy drives a {kinematics} robot and scenario {scenario.name} has a '
+            f'{scenario.kinematics} one; set scenario.kinematics={kinematics}'
         )
-
-
-def attach_oracle(policy: Any, oracle: Any) -> None:
-    """
-    Hand the pedestrians' next velocities to a policy that looks ahead with the oracle.
-
-    :param policy: a Policy.
-    :param oracle: returns the velocities for the states that the policy is asked about next.
-    """
-    if getattr(getattr(policy, 'config', None), 'lookahead', None) == 'oracle':
-        policy.oracle = oracle

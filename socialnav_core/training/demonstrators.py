@@ -1,9 +1,12 @@
 """Who shows the robot its way: ORCA, and ORCA with a defect of the founding report's code."""
 
+import dataclasses
+
 import numpy as np
 
 from socialnav_core.config.training import ImitationConfig
-from socialnav_core.policies import OrcaPolicy, Policy
+from socialnav_core.policies import OrcaPolicy, Policy, PolicyDescription
+from socialnav_core.simulation.kinematics import Limits
 from socialnav_core.states import CrowdState
 
 
@@ -14,7 +17,8 @@ class StaleRadii:
     The report's code handed radii to its planner once and later only positions and velocities.
     """
 
-    kinematics = 'holonomic'
+    predictor = None
+    plan = None
 
     def __init__(self, planner: OrcaPolicy) -> None:
         """
@@ -25,20 +29,29 @@ class StaleRadii:
         self._planner = planner
         self._radius: np.ndarray | None = None
 
-    def act(self, state: CrowdState) -> np.ndarray:
+    @property
+    def description(self) -> PolicyDescription:
+        """Return what results tell of this policy."""
+        return dataclasses.replace(self._planner.description, remembers=True)
+
+    def act(self, state: CrowdState, limits: Limits | None = None) -> np.ndarray:
         """
         Return the commands, (batch, 2).
 
-        :param state: the worlds as they are; the first time, world 0 has the case that is kept.
+        :param state: the first time, its world 0 has the case that is kept.
         """
         if self._radius is None:
             self._radius = state.agents.radius[0].copy()
         believed = np.broadcast_to(self._radius, state.agents.radius.shape)
-        return self._planner.act(state.with_agents(radius=believed))
+        return self._planner.act(state.with_agents(radius=believed), limits)
 
-    def reset(self) -> None:
-        """Forget the radii."""
-        self._radius = None
+    def attention(self, state: CrowdState) -> None:
+        """Return nothing: everybody counts as they must."""
+
+    def reset(self, worlds: np.ndarray | None = None) -> None:
+        """Forget the radii, unless single worlds go on to other cases: that is the defect."""
+        if worlds is None:
+            self._radius = None
 
 
 def make_demonstrator(settings: ImitationConfig) -> Policy:

@@ -62,6 +62,7 @@ def collect_demonstrations(
         seen = observe(state, simulator.kinematics)
         state, reward, terminated, truncated, info = simulator.step(demonstrator.act(state))
         ended = info['active'] & (terminated | truncated)
+        demonstrator.reset(ended)
         outcome[info['case_index'][ended]] = info['outcome'][ended]
         steps.append((seen, reward, ended, info['case_index'], info['active']))
     require(

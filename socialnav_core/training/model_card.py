@@ -8,9 +8,9 @@ from typing import Any
 from socialnav_core.config import Config, ConfigError, TrainingConfig
 from socialnav_core.policies.value.checkpoint import (
     atomic_write,
-    checkpoint_digest,
-    load_checkpoint,
+    Checkpoint,
 )
+from socialnav_core.prediction import knowledge_of
 from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.training.progress import CSV_NAME
 
@@ -25,18 +25,18 @@ NETWORKS = {
 }
 
 
-def add_result(folder: Path, result: dict[str, Any]) -> None:
+def add_result(folder: Path, config: Config, result: dict[str, Any]) -> None:
     """
     Put an evaluation into the metrics of a checkpoint; an older one of the same kind is replaced.
 
     Keys are scenarios, followed by what differs from the checkpoint's own settings, such as
     simple+oracle. The list of single cases is left out.
 
-    :param folder: of the checkpoint.
+    :param config: of the checkpoint.
     :param result: of an evaluation, as `socialnav evaluate --json` writes it.
     """
     metrics = read_metrics(folder) | {
-        result_key(result, load_checkpoint(folder)[1]): {
+        result_key(result, config): {
             name: value for name, value in result.items() if name != 'cases'
         }
     }
@@ -44,15 +44,15 @@ def add_result(folder: Path, result: dict[str, Any]) -> None:
     atomic_write(folder / METRICS_NAME, f'{text}\n'.encode())
 
 
-def require_no_better(folder: Path, result: dict[str, Any]) -> None:
+def require_no_better(folder: Path, config: Config, result: dict[str, Any]) -> None:
     """
     Raise a ConfigError when a result would replace one of more cases, or one of the test split.
 
-    :param folder: of the checkpoint.
+    :param config: of the checkpoint.
     :param result: of an evaluation, or what is known of it before: all that decides its key, split
         and episodes.
     """
-    key = result_key(result, load_checkpoint(folder)[1])
+    key = result_key(result, config)
     kept = read_metrics(folder).get(key)
     if kept is None:
         return
@@ -89,18 +89,18 @@ def read_metrics(folder: Path) -> dict[str, Any]:
     return json.loads(path.read_text(encoding='utf-8')) if path.is_file() else {}
 
 
-def write_model_card(folder: Path) -> None:
+def write_model_card(folder: Path, checkpoint: Checkpoint) -> None:
     """
     Write README.md of a checkpoint from its weights, config, metrics and progress.
 
-    :param folder: of the checkpoint.
+    :param checkpoint: what the folder holds.
     """
-    network, config = load_checkpoint(folder)
+    network, config, digest = checkpoint
     parameters = sum(parameter.numel() for parameter in network.parameters())
     results = list(read_metrics(folder).values())
     sections = (
         f'# {config.name}',
-        description(config, parameters, checkpoint_digest(folder)),
+        description(config, parameters, digest),
         intended_use(config),
         training_data(config, last_row(folder / CSV_NAME)),
         results_section(results),
@@ -218,14 +218,16 @@ def results_section(results: list[dict[str, Any]]) -> str:
     lines = [
         '## Results\n',
         'Success with its 95 % Wilson interval; time is the mean over successes.\n',
-        '| scenario | look-ahead | screening | cases | success | collision | time-out | time, s |',
-        '|---|---|---|---|---|---|---|---|',
+        '| scenario | look-ahead | knowledge | screening | cases | success | collision | time-out '
+        '| time, s |',
+        '|---|---|---|---|---|---|---|---|---|',
     ]
     for result in results:
         low, high = result['success_interval']
         time = result['navigation_time_mean']
+        knowledge = knowledge_of(result['lookahead'])
         lines.append(
-            f'| {result["scenario"]} | {result["lookahead"]} | '
+            f'| {result["scenario"]} | {result["lookahead"]} | {knowledge} | '
             f'{"on" if result["screening"] else "off"} | {result["episodes"]:,} '
             f'{result["split"]}, seed {result["seed"]} | {result["success_rate"]:.4f} '
             f'[{low:.4f}, {high:.4f}] | {result["collision_rate"]:.4f} | '

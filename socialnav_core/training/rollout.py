@@ -7,6 +7,7 @@ import numpy as np
 from socialnav_core.policies.value.inference import ValueInference
 from socialnav_core.policies.value.lookahead import Decision, ValuePolicy
 from socialnav_core.policies.value.observation import observe
+from socialnav_core.prediction import ConstantVelocity
 from socialnav_core.simulation import Simulator
 from socialnav_core.states import CrowdState, Observation
 from socialnav_core.training.targets import one_step_targets, q_lambda_targets
@@ -75,6 +76,7 @@ def collect(
             next_observations.append(observe(info['final_state'], policy.motion))
         ended = terminated | truncated
         ended_episodes.append([info[name][ended] for name in ('case_index', 'outcome', 'time')])
+        policy.reset(ended)
         decision = policy.decide(state)
         best_values.append(decision.maximum())
     flow = {name: np.stack([flow[name] for flow in flows]) for name in flows[0]}
@@ -119,8 +121,7 @@ def value_at_cut(policy: ValuePolicy, final: CrowdState, truncated: np.ndarray) 
     """
     values = np.zeros(len(truncated), np.float32)
     if truncated.any():
-        config = dataclasses.replace(policy.config, lookahead='constant_velocity')
-        decision = ValuePolicy(policy.network, config).decide(final.select(truncated))
+        decision = policy.decide(final.select(truncated), predictor=ConstantVelocity())
         values[truncated] = decision.maximum()
     return values
 

@@ -9,6 +9,7 @@ import torch
 from socialnav_core.config import Config, PolicyConfig, ScreeningConfig
 from socialnav_core.policies.value.inference import ValueInference
 from socialnav_core.policies.value.lookahead import Decision, ValuePolicy
+from socialnav_core.prediction.oracle import attach_simulator
 from socialnav_core.simulation import Simulator
 from socialnav_core.training.constant_features import without_constant_features
 from socialnav_core.training.curriculum import Curriculum
@@ -56,7 +57,7 @@ class Run:
             scenario = self.curriculum.scenario(scenario)
         self.simulator = Simulator(scenario, settings.worlds)
         self.policy = ValuePolicy(self.network, exploring_policy(config), settings.bfloat16)
-        self.policy.oracle = self.simulator.next_agent_velocities
+        attach_simulator(self.policy.predictor, self.simulator.next_agent_velocities)
         self.decision: Decision  # in the present state, by the weights of then
         self.iteration = 0
         self.ended_episodes = 0

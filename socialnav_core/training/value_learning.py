@@ -11,10 +11,11 @@ from typing import Any
 import numpy as np
 
 from socialnav_core.allocator import keep_freed_memory
-from socialnav_core.config import Config, Scenario
+from socialnav_core.config import Config, require, Scenario
 from socialnav_core.policies import Policy
-from socialnav_core.policies.value.checkpoint import save_weights
+from socialnav_core.policies.value.checkpoint import load_checkpoint, save_weights
 from socialnav_core.policies.value.lookahead import ValuePolicy
+from socialnav_core.prediction import make_predictor
 from socialnav_core.training.demonstrators import make_demonstrator
 from socialnav_core.training.folder import finish_folder, prepare_folder, UNFOLDED
 from socialnav_core.training.imitation import collect_demonstrations, imitate
@@ -52,12 +53,14 @@ def train(
     :param overwrite: replace the run in the folder.
     :param evaluate: measures the finished policy in a scenario; its result becomes metrics.json.
     :param progress: whether to show on stderr how it goes.
-    :raises ConfigError: when the folder is taken, or cannot be resumed with this configuration.
+    :raises ConfigError: when the folder is taken, or cannot be resumed with this configuration, or
+        for a prediction that does not exist.
     :raises CheckpointError: when the state cannot be written.
     :raises TrainingInterrupted: after Ctrl-C or SIGTERM; the run was saved.
     """
     config = with_available_precision(config)
     settings = config.training
+    require_predictions(config)
     prepare_folder(out, resume, overwrite)
     run = Run(config)
     keep_freed_memory()
@@ -76,13 +79,22 @@ def train(
         if interruption.requested:
             raise TrainingInterrupted(how_to_resume(run, out))
     if evaluate is not None:
-        add_result(
-            out, evaluate(ValuePolicy(run.finished_network(), config.policy), config.scenario)
-        )
+        policy = ValuePolicy(run.finished_network(), config.policy)
+        add_result(out, config, evaluate(policy, config.scenario))
     if settings.fold_constant_features:
         save_unfolded(run, out / UNFOLDED)
-    write_model_card(out)
+    write_model_card(out, load_checkpoint(out))
     finish_folder(out)
+
+
+def require_predictions(config: Config) -> None:
+    """Raise a ConfigError unless the predictions of a run exist and it could be resumed."""
+    make_predictor(config.policy.lookahead)
+    require(
+        not make_predictor(config.training.lookahead).remembers,
+        f'training.lookahead {config.training.lookahead} has a history, which no run stores; '
+        'use oracle or constant_velocity',
+    )
 
 
 def begin(run: Run, progress: bool) -> None:

@@ -1,12 +1,12 @@
 """An episode kept step by step, for pictures."""
 
 import dataclasses
-from typing import Any
 
 import numpy as np
 
 from socialnav_core.config import Scenario
-from socialnav_core.policies.protocol import attach_oracle, require_same_kinematics
+from socialnav_core.policies.protocol import Policy, PolicyDescription, require_same_kinematics
+from socialnav_core.prediction.oracle import attach_simulator
 from socialnav_core.simulation import Outcome, Simulator
 from socialnav_core.states import CrowdState
 
@@ -46,6 +46,13 @@ class Recording:
     """Motion of the robot: holonomic or differential."""
     goal_tolerance: float = 0.3
     """Distance at which the goal counts as reached, m."""
+    description: PolicyDescription | None = None
+    """What the policy is, where that is known."""
+
+    @property
+    def look_ahead(self) -> str | None:
+        """Return the policy's prediction and what that knows; None where there is none."""
+        return self.description.look_ahead if self.description else None
 
     @property
     def times(self) -> np.ndarray:
@@ -72,7 +79,7 @@ class Recording:
 
 def summary(recording: Recording) -> str:
     """
-    Return on one line how an episode ended, when, and how near the robot came to anybody.
+    Return on one line how an episode ended, when, how near the robot came to anybody.
 
     :param recording: the episode.
     """
@@ -123,7 +130,7 @@ def state_at(recording: Recording, time: float) -> CrowdState:
 
 
 def record(
-    policy: Any,
+    policy: Policy,
     scenario: Scenario,
     seed: int = 0,
     case_index: int = 0,
@@ -133,11 +140,6 @@ def record(
     """
     Run one case and keep every state.
 
-    :param policy: a Policy.
-    :param scenario: the world.
-    :param seed: seed of the case.
-    :param case_index: index of the case.
-    :param split: split of the case.
     :param name: name of the policy, for titles.
     :raises ConfigError: when the policy drives another kind of robot.
     """
@@ -145,14 +147,15 @@ def record(
     simulator = Simulator(scenario, batch_size=1)
     states = [simulator.reset(seed=seed, split=split, cases=[case_index])]
     policy.reset()
-    attach_oracle(policy, simulator.next_agent_velocities)
+    attach_simulator(policy.predictor, simulator.next_agent_velocities)
     attention: list[np.ndarray] = []
     closest: list[float] = []
     commands: list[np.ndarray] = []
     ended = False
     while not ended:
-        if hasattr(policy, 'attention'):
-            attention.append(policy.attention(states[-1])[0])
+        weights = policy.attention(states[-1])
+        if weights is not None:
+            attention.append(weights[0])
         commands.append(policy.act(states[-1])[0])
         _, _, terminated, truncated, info = simulator.step(commands[-1][None])
         states.append(info['final_state'])
@@ -161,7 +164,7 @@ def record(
     outcome = Outcome(int(info['outcome'][0])).name.lower()
     return Recording(
         states, scenario.name, seed, case_index, outcome, name, attention or None, closest,
-        commands, scenario.kinematics, scenario.goal_tolerance,
+        commands, scenario.kinematics, scenario.goal_tolerance, policy.description,
     )  # fmt: skip
 
 

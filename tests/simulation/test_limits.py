@@ -37,10 +37,9 @@ def states_of(kinematics='holonomic', worlds=4, steps=4):
 
 @pytest.mark.parametrize('kinematics', KINEMATICS)
 def test_without_limits_that_count_every_decision_is_the_same(kinematics):
-    free, limited = policy_of(kinematics), policy_of(kinematics)
-    limited.limits = NONE
+    policy = policy_of(kinematics)
     for state in states_of(kinematics):
-        one, other = free.decide(state), limited.decide(state)
+        one, other = policy.decide(state), policy.decide(state, NONE)
         np.testing.assert_array_equal(one.commands, other.commands)
         np.testing.assert_array_equal(one.values, other.values)
 
@@ -48,11 +47,10 @@ def test_without_limits_that_count_every_decision_is_the_same(kinematics):
 @pytest.mark.parametrize('kinematics', KINEMATICS)
 def test_every_candidate_is_within_the_limits(kinematics):
     policy = policy_of(kinematics)
-    policy.limits = TIGHT
     for state in states_of(kinematics):
         # slower than the limit, since acceleration counts less than speed
         state = state.with_robot(velocity=0.7 * state.robot.velocity)
-        commands = policy.decide(state).commands
+        commands = policy.decide(state, TIGHT).commands
         present = kinematics_of(kinematics).present_command(state.robot)[:, None]
         change = commands - present
         if kinematics == 'holonomic':
@@ -66,10 +64,9 @@ def test_every_candidate_is_within_the_limits(kinematics):
 @pytest.mark.parametrize('kinematics', KINEMATICS)
 def test_what_is_reachable_is_left_as_it_is(kinematics):
     policy = policy_of(kinematics)
-    policy.limits = TIGHT
     for state in states_of(kinematics):
         present = kinematics_of(kinematics).present_command(state.robot)
-        command = policy.act(state)
+        command = policy.act(state, TIGHT)
         again = kinematics_of(kinematics).reachable(command, present, TIGHT, TIGHT.period)
         np.testing.assert_allclose(again, command, rtol=0, atol=1e-12)
 
@@ -103,7 +100,7 @@ def safe_from(state, limits):
     commands = Holonomic().reachable(wanted, state.robot.velocity[:, None], limits, 0.1)
     mask = safe_actions(
         state, commands, state.agents.velocity, Holonomic(), config.time_step,
-        ScreeningConfig(enabled=True), limits=limits, wanted=wanted,
+        ScreeningConfig(enabled=True), np.ones((1, 1)), limits=limits, wanted=wanted,
     )  # fmt: skip
     return commands[0], mask[0]
 

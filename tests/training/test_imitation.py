@@ -22,12 +22,12 @@ def demonstrate(scenario, worlds, demonstrator=None):
 class FullSpeed:
     """Drives straight at the goal at 1 m/s."""
 
-    def act(self, state):
+    def act(self, state, limits=None):
         """Return the commands."""
         ahead = state.robot.goal - state.robot.position
         return ahead / np.maximum(np.linalg.norm(ahead, axis=1, keepdims=True), 1e-9)
 
-    def reset(self):
+    def reset(self, worlds=None):
         """Do nothing."""
 
 

@@ -8,6 +8,7 @@ import pytest
 from socialnav_core.policies import observe, ValuePolicy
 from socialnav_core.policies.value.inference import ValueInference
 from socialnav_core.policies.value.lookahead import Decision
+from socialnav_core.prediction.oracle import attach_simulator
 from socialnav_core.simulation import make_scenario, Simulator
 from socialnav_core.training.randomness import initial_network
 from socialnav_core.training.rollout import collect, explore, value_at_cut
@@ -21,7 +22,7 @@ def make_worlds(config, time_limit=25.0, lookahead='oracle'):
     simulator = Simulator(scenario, WORLDS)
     network = initial_network(config.policy, seed=0)
     policy = ValuePolicy(network, dataclasses.replace(config.policy, lookahead=lookahead))
-    policy.oracle = simulator.next_agent_velocities
+    attach_simulator(policy.predictor, simulator.next_agent_velocities)
     return simulator, policy, policy.decide(simulator.reset(seed=0, split='train'))
 
 

@@ -5,6 +5,7 @@ import contextlib
 import hashlib
 import os
 from pathlib import Path
+from typing import NamedTuple
 
 from safetensors import safe_open, SafetensorError
 from safetensors.torch import save
@@ -23,6 +24,17 @@ ATTENTION_SCORES = {'gat4sn': 'gat', 'gat4sn_linear': 'linear', 'gat4sn_v2': 'ga
 
 class CheckpointError(ValueError):
     """A checkpoint that is missing, damaged or of something else."""
+
+
+class Checkpoint(NamedTuple):
+    """What a checkpoint holds."""
+
+    network: nn.Module
+    """In evaluation mode, on the CPU."""
+    config: Config
+    """Of the run that made it."""
+    digest: str
+    """Of the weights, hexadecimal; see `tensors_digest`."""
 
 
 def build_network(config: PolicyConfig) -> nn.Module:
@@ -57,18 +69,18 @@ def save_weights(folder: Path, network: nn.Module, config: Config) -> None:
     atomic_write(folder / WEIGHTS, save(tensors, metadata))
 
 
-def load_checkpoint(folder: Path) -> tuple[nn.Module, Config]:
+def load_checkpoint(folder: Path) -> Checkpoint:
     """
-    Return the network, in evaluation mode on the CPU, and the config of a checkpoint.
+    Return what a checkpoint holds.
 
-    :param folder: of the checkpoint.
     :raises CheckpointError: when a file is missing, damaged, altered or does not fit the config.
     """
     if not folder.is_dir():
         raise CheckpointError(f'no checkpoint folder {folder}')
     tensors, metadata = read_tensors(folder / WEIGHTS)
     config = read_config(folder / CONFIG, metadata)
-    if metadata.get('digest') != tensors_digest(tensors):
+    digest = tensors_digest(tensors)
+    if metadata.get('digest') != digest:
         raise CheckpointError(f'{folder / WEIGHTS} is altered: its digest does not match')
     network = build_network(config.policy)
     expected = {name: value.shape for name, value in network.state_dict().items()}
@@ -84,7 +96,7 @@ def load_checkpoint(folder: Path) -> tuple[nn.Module, Config]:
     if not all(torch.isfinite(value).all() for value in tensors.values()):
         raise CheckpointError(f'{folder / WEIGHTS} holds values that are not finite')
     network.load_state_dict(tensors)
-    return network.eval(), config
+    return Checkpoint(network.eval(), config, digest)
 
 
 def read_config(path: Path, metadata: dict[str, str]) -> Config:

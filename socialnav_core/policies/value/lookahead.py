@@ -1,15 +1,17 @@
 """One-step look-ahead over an action set with a value network."""
 
-from collections.abc import Callable
 import dataclasses
 
 import numpy as np
 from torch import nn
 
-from socialnav_core.config import ConfigError, PolicyConfig
+from socialnav_core.config import PolicyConfig
+from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.policies.value.inference import ValueInference
 from socialnav_core.policies.value.observation import observe, observe_candidates
 from socialnav_core.policies.value.screening import safe_actions
+from socialnav_core.prediction import make_predictor, Predictor
+from socialnav_core.prediction.one_step import one_step
 from socialnav_core.simulation.kinematics import kinematics_of, Limits
 from socialnav_core.simulation.rewards import Outcome, reward_settings, step_outcomes
 from socialnav_core.states import CrowdState
@@ -39,9 +41,7 @@ class ValuePolicy:
     """
     Takes the action with the greatest r(s, a) + gamma ** (dt * v_pref) * V(s').
 
-    s' is predicted: the robot does what the action says; pedestrians keep their velocity
-    (constant_velocity) or do what the simulator knows that they will do (oracle). Where `limits`
-    is set, the actions are what the robot can do until its next command.
+    s' is predicted: the robot does what the action says, pedestrians what the predictor says.
     """
 
     def __init__(self, network: nn.Module, config: PolicyConfig, bfloat16: bool = False) -> None:
@@ -56,32 +56,52 @@ class ValuePolicy:
         self.config = config
         self.kinematics = config.kinematics
         self.motion = kinematics_of(config.kinematics)
-        self.oracle: Callable[[], np.ndarray] | None = None
-        self.limits: Limits | None = None
+        self.predictor = make_predictor(config.lookahead)
+        self.plan = None
         self._inference = ValueInference(network, bfloat16)
         self._actions = self.motion.action_set(config)
         self._settings = reward_settings(config.reward, config.goal_tolerance)
+        self._times = np.array([config.time_step])
 
-    def act(self, state: CrowdState) -> np.ndarray:
+    @property
+    def description(self) -> PolicyDescription:
+        """Return what results tell of this policy."""
+        return PolicyDescription(
+            name=self.config.network,
+            kinematics=self.kinematics,
+            prediction=self.config.lookahead,
+            knowledge=self.predictor.knowledge,
+            screening=self.config.screening.enabled,
+            remembers=self.predictor.remembers,
+        )
+
+    def act(self, state: CrowdState, limits: Limits | None = None) -> np.ndarray:
         """
         Return the best commands, (batch, 2).
 
-        :param state: the worlds as they are.
-        :raises ConfigError: when the oracle is asked for and there is none.
+        :param limits: of the robot: actions are what it can do until its next command.
+        :raises ConfigError: when the oracle is asked for and there is no simulator.
         """
-        return self.decide(state).command()
+        return self.decide(state, limits).command()
 
-    def decide(self, state: CrowdState) -> Decision:
+    def decide(
+        self,
+        state: CrowdState,
+        limits: Limits | None = None,
+        predictor: Predictor | None = None,
+    ) -> Decision:
         """
         Value every action of each world.
 
-        :param state: the worlds as they are.
-        :raises ConfigError: when the oracle is asked for and there is none.
+        :param limits: see `act`.
+        :param predictor: takes the place of the policy's own.
+        :raises ConfigError: when the oracle is asked for and there is no simulator.
         """
         config = self.config
-        velocities = self.predicted_velocities(state)
+        prediction = (predictor or self.predictor).predict(state, self._times)
+        velocities, deviation = one_step(prediction, state, config.time_step)
         wanted = self.motion.scale(self._actions, state.robot.preferred_speed)
-        commands = self._reachable(state, wanted)
+        commands = self._reachable(state, wanted, limits)
         displacement, velocity, heading = self.motion.move(
             state.robot.heading[:, None], commands, config.time_step
         )
@@ -107,47 +127,38 @@ class ValuePolicy:
             )
             values[going] += discount[world].astype(np.float32) * next_values
         if config.screening.enabled:
-            safe = self._safe(state, commands, velocities, wanted)
+            safe = self._safe(state, commands, velocities, deviation, limits, wanted)
             values[~safe & (outcome != Outcome.GOAL)] = -np.inf
         return Decision(commands, values, values.argmax(axis=1))
 
-    def predicted_velocities(self, state: CrowdState) -> np.ndarray:
-        """
-        Return the velocities that the agents are taken to have next, m/s, (batch, agents, 2).
-
-        :param state: the worlds as they are.
-        :raises ConfigError: when the oracle is asked for and there is none.
-        """
-        if self.config.lookahead == 'constant_velocity':
-            return state.agents.velocity
-        if self.oracle is None:
-            raise ConfigError('the oracle look-ahead exists in simulation only; '
-                              'use constant_velocity')  # fmt: skip
-        return self.oracle()
-
     def attention(self, state: CrowdState) -> np.ndarray:
-        """
-        Return how much the network looks at each agent, summing to 1, float32 (batch, agents).
-
-        :param state: the worlds as they are.
-        """
+        """Return how much the network looks at each agent, float32 (batch, agents), sum 1."""
         return self._inference.attention(observe(state, self.motion))
 
-    def reset(self) -> None:
-        """Do nothing: a decision depends on the present state alone."""
+    def reset(self, worlds: np.ndarray | None = None) -> None:
+        """Forget what was seen of some worlds: only the predictor may have a memory."""
+        self.predictor.reset(worlds)
 
-    def _reachable(self, state: CrowdState, wanted: np.ndarray) -> np.ndarray:
+    def _reachable(
+        self, state: CrowdState, wanted: np.ndarray, limits: Limits | None
+    ) -> np.ndarray:
         """Return the commands nearest to those wanted that the limits allow."""
-        if self.limits is None:
+        if limits is None:
             return wanted
         present = self.motion.present_command(state.robot)[:, None]
-        return self.motion.reachable(wanted, present, self.limits, self.limits.period)
+        return self.motion.reachable(wanted, present, limits, limits.period)
 
     def _safe(
-        self, state: CrowdState, commands: np.ndarray, velocities: np.ndarray, wanted: np.ndarray
+        self,
+        state: CrowdState,
+        commands: np.ndarray,
+        velocities: np.ndarray,
+        deviation: np.ndarray,
+        limits: Limits | None,
+        wanted: np.ndarray,
     ) -> np.ndarray:
         """Return which actions may be chosen, bool (batch, actions)."""
         return safe_actions(
             state, commands, velocities, self.motion, self.config.time_step,
-            self.config.screening, self.config.lookahead == 'oracle', self.limits, wanted,
+            self.config.screening, deviation, limits, wanted,
         )  # fmt: skip

@@ -21,7 +21,7 @@ def safe_actions(
     kinematics: Kinematics,
     time_step: float,
     config: ScreeningConfig,
-    exact: bool = False,
+    deviation: np.ndarray,
     limits: Limits | None = None,
     wanted: np.ndarray | None = None,
 ) -> np.ndarray:
@@ -39,14 +39,15 @@ def safe_actions(
     :param agent_velocity: predicted velocities, m/s, (batch, agents, 2).
     :param time_step: how long an action lasts, s.
     :param config: horizon and margins.
-    :param exact: whether the prediction is exact, so that pedestrians need no margin of their own.
+    :param deviation: standard deviation of the predicted positions, m, (batch, agents); where it
+        is zero, pedestrians need no margin of their own.
     :param limits: of the robot; None for none.
     :param wanted: commands to escape towards where acceleration is limited, (batch, actions, 2);
         the candidates where it is None.
     """
     batch, actions = commands.shape[:2]
     ramp = None if limits is None or math.isinf(limits.acceleration) else limits
-    gaps = distances_to_keep(state, agent_velocity, config, exact)
+    gaps = distances_to_keep(state, agent_velocity, config, deviation)
     displacement, _, heading = kinematics.move(state.robot.heading[:, None], commands, time_step)
     start = np.broadcast_to(state.robot.position[:, None], displacement.shape)
     first = is_free(
@@ -102,7 +103,7 @@ def motions(
 
 
 def distances_to_keep(
-    state: CrowdState, agent_velocity: np.ndarray, config: ScreeningConfig, exact: bool
+    state: CrowdState, agent_velocity: np.ndarray, config: ScreeningConfig, deviation: np.ndarray
 ) -> np.ndarray:
     """
     Return the distance of centres to keep from each agent, m, (batch, agents).
@@ -112,16 +113,15 @@ def distances_to_keep(
     :param state: tells obstacles from pedestrians.
     :param agent_velocity: predicted velocities, m/s, (batch, agents, 2).
     :param config: the margins.
-    :param exact: whether the prediction is exact.
+    :param deviation: of the predicted positions, m, (batch, agents).
     """
     least = state.robot.radius[:, None] + state.agents.radius + config.margin
-    if exact:
-        return least
     standing = np.hypot(agent_velocity[..., 0], agent_velocity[..., 1]) < STANDING_SPEED
     margin = np.where(standing, config.standing_margin, config.moving_margin)
     wanted = least - config.margin + np.where(state.agents.static, config.margin, margin)
     distance = np.linalg.norm(state.agents.position - state.robot.position[:, None], axis=-1)
-    return np.maximum(least, np.minimum(wanted, distance))
+    kept = np.maximum(least, np.minimum(wanted, distance))
+    return np.where(deviation > 0.0, kept, least)
 
 
 def is_free(

@@ -81,7 +81,7 @@ def play(row: Row, seed: int, cases: Cases, case: int, laboratory: Laboratory) -
     :param laboratory: that trained it.
     """
     folder = cases.checkpoint(laboratory.run(row, seed))
-    policy = load_policy(str(folder), cases.lookahead, screening=False)
+    policy = load_policy(str(folder), lookahead=cases.lookahead, screening=False)
     scenario = make_scenario(cases.scenario)
     name = f'{row.label}, seed {seed}'
     return Found(row, seed, cases, record(policy, scenario, 0, case, cases.split, name))

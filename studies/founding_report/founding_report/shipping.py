@@ -14,6 +14,7 @@ from socialnav_core.policies.value.checkpoint import (
     atomic_write,
     checkpoint_digest,
     CONFIG,
+    load_checkpoint,
     WEIGHTS,
 )
 from socialnav_core.simulation import make_scenario
@@ -59,7 +60,8 @@ def ship(
     laboratory.provide((Request(e.row, seed, card_cases(e)) for e, seed in missing), train)
     lines = [copy_run(entry, seed, laboratory, models) for entry, seed in missing]
     for entry in shipped:  # also where an earlier run was killed before it wrote the card
-        write_model_card(models / entry.row.name)
+        folder = models / entry.row.name
+        write_model_card(folder, load_checkpoint(folder))
     return lines
 
 
@@ -174,7 +176,7 @@ def copy_run(entry: Entry, seed: int, laboratory: Laboratory, models: Path) -> s
     atomic_write(folder / METRICS_NAME, f'{text}\n'.encode())
     for name in (CONFIG, CSV_NAME, WEIGHTS):
         atomic_write(folder / name, (run / name).read_bytes())
-    write_model_card(folder)
+    write_model_card(folder, load_checkpoint(folder))
     rates = ', '.join(f'{name} {each["success_rate"]:.4f}' for name, each in measured.items())
     return f'{folder}: seed {seed} of {entry.seeds}; success {rates}'
 

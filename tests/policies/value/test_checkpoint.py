@@ -30,7 +30,7 @@ def saved(request, tmp_path):
 
 def test_save_and_load_give_the_same_weights_config_and_actions(saved):
     folder, network, config = saved
-    loaded, loaded_config = load_checkpoint(folder)
+    loaded, loaded_config, _ = load_checkpoint(folder)
     assert loaded_config == config
     for name, value in network.state_dict().items():
         assert torch.equal(value, loaded.state_dict()[name])

@@ -6,6 +6,7 @@ import torch
 
 from socialnav_core.config import ConfigError, PolicyConfig, ScreeningConfig
 from socialnav_core.policies import build_network, observe, ValuePolicy
+from socialnav_core.prediction.oracle import attach_simulator
 from socialnav_core.simulation import make_scenario, Outcome, Simulator
 from socialnav_core.simulation.kinematics import Holonomic
 
@@ -30,7 +31,7 @@ def test_the_value_of_an_action_is_what_the_simulator_then_does(network):
     config = PolicyConfig(lookahead='oracle')
     policy = ValuePolicy(network, config)
     simulator, state = some_state()
-    policy.oracle = simulator.next_agent_velocities
+    attach_simulator(policy.predictor, simulator.next_agent_velocities)
     values = policy.decide(state).values
     memory = simulator.get_state()
     for action, command in enumerate(Holonomic().action_set(config)):

@@ -40,9 +40,10 @@ def safe(state, kinematics='holonomic', exact=False, config=SCREENING):
     """Return the safe commands, (n, 2), and whether each of all commands is."""
     motion = kinematics_of(kinematics)
     commands = motion.action_set(PolicyConfig(kinematics=kinematics))
-    mask = safe_actions(state, commands[None], state.agents.velocity, motion, 0.25, config, exact)[
-        0
-    ]
+    deviation = np.full(state.agents.valid.shape, 0.0 if exact else 0.1)
+    mask = safe_actions(
+        state, commands[None], state.agents.velocity, motion, 0.25, config, deviation
+    )[0]
     return commands[mask], mask
 
 

@@ -17,7 +17,7 @@ from socialnav.control.controller import Controller, Decision, NO_COMMAND
 from socialnav.control.plan import FOLLOWED, NO_PLAN
 from socialnav.control.reasons import ARRIVED, UNDECIDED
 from socialnav.messages.commands import stamped_twist_message, twist_message
-from socialnav.messages.intentions import attention_markers, predicted_path
+from socialnav.messages.intentions import attention_markers, planned_path, predicted_path
 
 LAST_WORD = Duration(nanoseconds=500_000_000)
 """How long it is waited at the end for the last command to arrive."""
@@ -94,8 +94,12 @@ class PolicyOutputs:
         if intention is None:
             return
         if self.path.get_subscription_count():
-            motion = (intention.state, intention.command, settings.kinematics)
-            self.path.publish(predicted_path(*motion, now, frame))
+            if intention.plan is not None:
+                path = planned_path(intention.state, intention.plan, now, frame)
+            else:
+                motion = (intention.state, intention.command, settings.kinematics)
+                path = predicted_path(*motion, now, frame)
+            self.path.publish(path)
         if self.attention.get_subscription_count():
             weights = self.controller.attention()
             if weights is not None:

@@ -6,6 +6,7 @@ import time
 import numpy as np
 
 from socialnav import driver, policy_node
+from socialnav_core.policies import PolicyDescription
 
 STALL = 3.0
 """Time that a decision takes there, s."""
@@ -14,15 +15,20 @@ STALL = 3.0
 class StallingPolicy:
     """Drives east, but beyond x = 1 m each decision takes very long."""
 
-    kinematics = 'holonomic'
+    description = PolicyDescription('stalling', 'holonomic', remembers=True)
+    predictor = None
+    plan = None
 
-    def act(self, state):
+    def act(self, state, limits=None):
         """Return the command."""
         if state.robot.position[0, 0] > 1.0:
             time.sleep(STALL)
         return np.array([[0.5, 0.0]])
 
-    def reset(self):
+    def attention(self, state):
+        """Look at nobody."""
+
+    def reset(self, worlds=None):
         """Forget nothing."""
 
 

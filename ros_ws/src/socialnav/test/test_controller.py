@@ -11,7 +11,7 @@ from worlds import BODY, messages_of, random_state
 from socialnav.control.controller import Controller
 from socialnav.control.settings import ControllerSettings
 from socialnav_core.config import PolicyConfig, ScreeningConfig
-from socialnav_core.policies import build_network, ValuePolicy
+from socialnav_core.policies import build_network, PolicyDescription, ValuePolicy
 from socialnav_core.sensing import HERE
 from socialnav_core.simulation.kinematics import Limits
 
@@ -29,21 +29,27 @@ LOCKSTEP = dataclasses.replace(SETTINGS, lockstep=True, period=0.25, stop_publis
 class Recorder:
     """A policy that keeps what it saw and drives east."""
 
-    kinematics = 'holonomic'
+    description = PolicyDescription('recorder', 'holonomic', remembers=True)
+    predictor = None
+    plan = None
 
     def __init__(self):
-        self.states, self.resets = [], 0
+        self.states, self.limits, self.resets = [], [], 0
         self.command, self.error, self.duration = [0.5, 0.0], None, 0.0
         self.now = 0.0
 
-    def act(self, state):
+    def act(self, state, limits=None):
         self.states.append(state)
+        self.limits.append(limits)
         self.now += self.duration
         if self.error:
             raise self.error
         return np.array([self.command])
 
-    def reset(self):
+    def attention(self, state):
+        return None
+
+    def reset(self, worlds=None):
         self.resets += 1
 
 
@@ -293,6 +299,24 @@ def test_commands_beyond_the_limits_are_counted_and_others_are_not(policy):
     policy.command = [3.0, 4.0]
     controller.decide(SECOND)
     assert (controller.tally.clamped, controller.tally.decisions) == (1, 2)
+
+
+def test_a_policy_is_told_the_limits_of_the_moment(policy):
+    controller = controller_of(policy)
+    controller.decide(SECOND)
+    slower = dataclasses.replace(SETTINGS.limits, speed=0.2)
+    controller.settings = dataclasses.replace(SETTINGS, limits=slower)
+    controller.decide(SECOND)
+    assert policy.limits == [SETTINGS.limits, slower]
+
+
+def test_an_intention_tells_the_plan_of_a_policy_that_has_one(policy):
+    controller = controller_of(policy)
+    controller.decide(SECOND)
+    assert controller.intention.plan is None
+    policy.plan = np.ones((1, 4, 2))
+    controller.decide(SECOND)
+    assert controller.intention.plan.tolist() == np.ones((4, 2)).tolist()
 
 
 @pytest.mark.parametrize('kinematics', ['holonomic', 'differential'])

@@ -12,7 +12,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 from worlds import random_state
 
 from socialnav import qos
-from socialnav.messages.intentions import attention_markers, predicted_path
+from socialnav.messages.intentions import attention_markers, planned_path, predicted_path
 from socialnav_core.config import Config, PolicyConfig
 from socialnav_core.policies import build_network
 from socialnav_core.policies.value.checkpoint import save_weights
@@ -36,6 +36,15 @@ def test_the_path_of_a_differential_drive_is_an_arc():
     state.robot.heading[:] = 0.0
     found = places(predicted_path(state, np.array([0.5, math.pi]), 'differential', 7, 'odom'))
     np.testing.assert_allclose(found[-1] - found[0], [0.0, 1.0 / math.pi], atol=1e-9)
+
+
+def test_the_path_of_a_plan_leads_from_the_robot_through_all_of_it():
+    state = random_state(0)
+    plan = state.robot.position[0] + np.array([[0.0, 1.0], [-1.0, 1.0]])
+    path = planned_path(state, plan, 7, 'odom')
+    np.testing.assert_allclose(places(path), [state.robot.position[0], *plan])
+    turns = [2 * math.atan2(one.pose.orientation.z, one.pose.orientation.w) for one in path.poses]
+    np.testing.assert_allclose(turns[1:], [math.pi / 2, math.pi], atol=1e-9)
 
 
 def test_an_agent_is_the_denser_the_more_it_is_looked_at():

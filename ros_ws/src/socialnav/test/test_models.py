@@ -48,7 +48,7 @@ def test_nothing_but_a_name_is_looked_up_in_the_share_folder(name):
 def test_the_folder_of_a_checkpoint_is_a_model_wherever_it_is(tmp_path):
     folder = tmp_path / 'anywhere'
     shutil.copytree(SHARE / DEFAULT_MODEL, folder)
-    assert load(folder).kinematics == 'holonomic'
+    assert load(folder).description.kinematics == 'holonomic'
 
 
 @pytest.mark.parametrize(
@@ -79,9 +79,12 @@ def test_the_horizon_of_screening_is_as_saved_unless_another_is_asked_for():
     assert (longer.margin, longer.enabled) == (saved.margin, saved.enabled)
 
 
-@pytest.mark.parametrize('parameter', [{'screening_horizon': 1.0}, {'device': 'cuda'}])
+@pytest.mark.parametrize(
+    'parameter', [{'screening_horizon': 1.0}, {'device': 'cuda'}, {'screening': 'enabled'}]
+)
 def test_a_policy_without_a_network_is_not_asked_for_what_networks_have(parameter):
-    with pytest.raises(ValueError, match='orca has no network'):
+    complaint = "orca has no setting '(screening|device).*'; it has safety_space"
+    with pytest.raises(ValueError, match=complaint):
         policy_of(model='orca', **parameter)
 
 

@@ -18,7 +18,7 @@ from socialnav.control.tally import Tally
 from socialnav.messages.conversions import ConversionError, crowd_state
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.grids import grid_discs, with_discs
-from socialnav_core.policies import Policy, ValuePolicy
+from socialnav_core.policies import Policy
 from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.states import CrowdState
 
@@ -47,6 +47,8 @@ class Intention:
     """The world when the command takes effect, batch of one."""
     command: np.ndarray
     """(vx, vy) in the world frame, m/s, or speed and turn rate, (2,)."""
+    plan: np.ndarray | None = None
+    """Where the policy means to be afterwards, m, (steps, 2), if it tells."""
 
 
 class Controller:
@@ -111,10 +113,11 @@ class Controller:
         return self._inputs.time_left(now, self.settings)
 
     def attention(self) -> np.ndarray | None:
-        """Return how much the policy looked at each agent, (agents,); None where it does not."""
-        if self.intention is None or not isinstance(self._policy, ValuePolicy):
+        """Return how much the policy looked at each agent, (agents,); None where it tells not."""
+        if self.intention is None:
             return None
-        return self._policy.attention(self.intention.state)[0]
+        weights = self._policy.attention(self.intention.state)
+        return None if weights is None else weights[0]
 
     def take_complete_state(self) -> bool:
         """Return whether a whole state of a world in lockstep waits for its decision."""
@@ -136,11 +139,11 @@ class Controller:
 
     def rehearse(self) -> None:
         """Do the work of the latest decision again, with what has come since, for no result."""
-        if self.intention is None or not isinstance(self._policy, ValuePolicy):
-            return  # other policies may remember what they saw
+        if self.intention is None or self._policy.description.remembers:
+            return  # what it sees twice could change its decision
         with contextlib.suppress(Exception):  # the decision itself will tell
             self._read_state(not_asked)  # a transform may have to be waited for
-            self._policy.act(self.intention.state)
+            self._policy.act(self.intention.state, self.settings.limits)
 
     def stall(self) -> Decision:
         """Return what to do when decide() is not called any more; another thread may ask."""
@@ -238,15 +241,14 @@ class Controller:
 
     def _drive(self, state: CrowdState) -> tuple[np.ndarray, str | None]:
         """Return the command that the policy chooses, within the limits."""
-        if isinstance(self._policy, ValuePolicy):  # others choose freely and are clamped
-            self._policy.limits = self.settings.limits
-        command = np.asarray(self._policy.act(state)[0], dtype=float)
+        command = np.asarray(self._policy.act(state, self.settings.limits)[0], dtype=float)
         executable = self._executable(command, state)
         kinematics = kinematics_of(self.settings.kinematics)
         sent = kinematics.to_base(executable, float(state.robot.heading[0]))
         if not np.isfinite([command, sent]).all():
             return NO_COMMAND, f'the policy chose {command.tolist()}, which is no velocity'
-        self.intention = Intention(state, executable)
+        plan = self._policy.plan
+        self.intention = Intention(state, executable, None if plan is None else plan[0])
         self.tally.clamped += not np.allclose(executable, command, rtol=0, atol=1e-9)
         return sent, None
 

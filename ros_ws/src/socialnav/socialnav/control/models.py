@@ -1,6 +1,5 @@
 """From the name of a model to a policy that is ready to decide."""
 
-import dataclasses
 import os
 from pathlib import Path
 import re
@@ -13,11 +12,10 @@ import torch
 from socialnav.control.settings import ControllerSettings
 from socialnav.messages.conversions import RobotBody
 from socialnav_core.config import ConfigError
-from socialnav_core.policies import load_policy, Policy, ValuePolicy
+from socialnav_core.policies import load_policy, Policy
+from socialnav_core.policies.loading import WITHOUT_NETWORK
 from socialnav_core.states import Agents, CrowdState, Robot
 
-BASELINES = ('orca', 'straight_line')
-"""Policies that are no models: nothing is looked up for them."""
 NAME = re.compile(r'\w[\w.-]*')
 """What a name of a model looks like; anything else is a path."""
 SCREENING = {'checkpoint': None, 'enabled': True, 'disabled': False}
@@ -32,43 +30,28 @@ def ready_policy(values: dict[str, Any], settings: ControllerSettings) -> Policy
     :raises ValueError: no such model, a damaged one, or one for another kind of robot.
     """
     torch.set_num_threads(values['threads'])
-    policy = load_policy(
-        installed(values['model']),
-        lookahead=None if values['model'] in BASELINES else 'constant_velocity',
-        screening=SCREENING[values['screening']],
-    )
-    if policy.kinematics != settings.kinematics:
+    model, overrides = installed(values['model']), chosen_overrides(values)
+    policy = load_policy(model, **overrides)
+    if policy.description.knowledge == 'oracle':  # which exists in simulation only
+        policy = load_policy(model, lookahead='constant_velocity', **overrides)
+    kinematics = policy.description.kinematics
+    if kinematics != settings.kinematics:
         raise ConfigError(
-            f'model {values["model"]} drives a {policy.kinematics} robot, not a '
+            f'model {values["model"]} drives a {kinematics} robot, not a '
             f'{settings.kinematics} one: change the parameter kinematics or the model'
         )
-    equip(policy, values)
-    policy.act(example_state(settings.body))
+    policy.act(example_state(settings.body), settings.limits)
     policy.reset()
     return policy
 
 
-def equip(policy: Policy, values: dict[str, Any]) -> None:
-    """
-    Give a policy the screening horizon and the device that are asked for.
-
-    :param policy: has just been loaded.
-    :param values: all parameters of the policy node.
-    :raises ConfigError: a policy without a network is asked for either, or there is no GPU.
-    """
-    horizon, on_gpu = values['screening_horizon'], values['device'] == 'cuda'
-    if not isinstance(policy, ValuePolicy):
-        if horizon or on_gpu:
-            raise ConfigError(
-                f'{values["model"]} has no network: leave screening_horizon at 0 and device at cpu'
-            )
-        return
-    if on_gpu and not torch.cuda.is_available():
-        raise ConfigError('device cuda needs a CUDA GPU and a CUDA build of torch; use cpu')
-    policy.network.to(values['device'])
-    if horizon:
-        screening = dataclasses.replace(policy.config.screening, horizon=horizon)
-        policy.config = dataclasses.replace(policy.config, screening=screening)
+def chosen_overrides(values: dict[str, Any]) -> dict[str, Any]:
+    """Return the settings of a policy that the parameters of the policy node change, by name."""
+    return {
+        'screening': SCREENING[values['screening']],
+        'screening.horizon': values['screening_horizon'] or None,
+        'device': None if values['device'] == 'cpu' else values['device'],
+    }
 
 
 def installed(model: str) -> str:
@@ -78,7 +61,7 @@ def installed(model: str) -> str:
     :param model: a name is looked up in the share folder and cannot lead out of it; a path stays.
     :raises ConfigError: a name that nothing has; tells those that there are.
     """
-    if model in BASELINES or not NAME.fullmatch(model):
+    if model in WITHOUT_NETWORK or not NAME.fullmatch(model):
         return model
     models = Path(get_package_share_directory('socialnav')) / 'models'
     for folder in (models / model, model):
@@ -86,7 +69,8 @@ def installed(model: str) -> str:
             return str(folder)
     known = sorted(path.name for path in models.glob('*')) if models.is_dir() else []
     raise ConfigError(
-        f'no model {model!r}: give the folder of a checkpoint or {", ".join([*BASELINES, *known])}'
+        f'no model {model!r}: give the folder of a checkpoint or '
+        f'{", ".join([*WITHOUT_NETWORK, *known])}'
     )
 
 

@@ -39,6 +39,28 @@ def predicted_path(
     return path
 
 
+def planned_path(state: CrowdState, plan: np.ndarray, nanoseconds: int, frame: str) -> Path:
+    """
+    Return where the robot goes when it keeps to its plan, each pose looking along the way there.
+
+    :param state: when the plan begins, batch of one.
+    :param plan: positions, m, (steps, 2).
+    :param nanoseconds: time of the message.
+    :param frame: frame of state and plan.
+    """
+    header = header_message(nanoseconds, frame)
+    places = np.concatenate([state.robot.position, plan])
+    ways = np.diff(places, axis=0)
+    headings = [state.robot.heading[0], *np.arctan2(ways[:, 1], ways[:, 0])]
+    path = Path(header=header)
+    for place, heading in zip(places, headings, strict=True):
+        pose = PoseStamped(header=header)
+        pose.pose.position = point(place, 0.0)
+        pose.pose.orientation = quaternion_of(float(heading))
+        path.poses.append(pose)
+    return path
+
+
 def attention_markers(
     state: CrowdState, weights: np.ndarray, nanoseconds: int, frame: str
 ) -> MarkerArray:
