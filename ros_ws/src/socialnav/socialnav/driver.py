@@ -27,7 +27,6 @@ from socialnav.policy_outputs import PolicyOutputs
 from socialnav.realtime.alarm import Alarm
 from socialnav.realtime.clocks import pacing_clock
 from socialnav.realtime.punctuality import Punctuality
-from socialnav.realtime.rehearsal import Rehearsal
 from socialnav.realtime.watchdog import Watchdog
 from socialnav_msgs.msg import AgentStates
 
@@ -52,12 +51,10 @@ class Driver:
         locate = not_asked if settings.lockstep else self.transforms.locate
         self.controller = Controller(ready_policy(values, settings), settings, locate=locate)
         self.running = False
-        self.ahead = False
         self.lockstep = settings.lockstep
         self.node = node
         self.timer: Timer | None = None
         self.expiry: Alarm | None = None
-        self.rehearsal: Rehearsal | None = None
         self.watchdog: Watchdog | None = None
         self.punctuality = Punctuality(settings.period)
         self.outputs = PolicyOutputs(node, self.controller, values, on_change)
@@ -98,7 +95,7 @@ class Driver:
         :param values: all parameters.
         """
         self.use(values)
-        self.running, self.ahead = True, False
+        self.running = True
         self.outputs.begin()
         if not self.lockstep:
             settings = self.controller.settings
@@ -106,7 +103,6 @@ class Driver:
             clock = pacing_clock(self.node)
             self.timer = self.node.create_timer(settings.period, self.on_timer, clock=clock)
             self.expiry = Alarm(self.node, self.on_expiry, clock)
-            self.rehearsal = Rehearsal(self.node, self.timer, self.controller)
             self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
 
     def use(self, values: dict[str, Any]) -> None:
@@ -130,7 +126,6 @@ class Driver:
             self.watchdog.stop()
             self.node.destroy_timer(self.timer)
             self.expiry.close()
-            self.rehearsal.close()
             self.watchdog = None
         self.outputs.end()
 
@@ -145,21 +140,13 @@ class Driver:
 
     def on_input(self, name: str, message: Any) -> None:
         """
-        Store a message and decide if that is due: in lockstep, when it completes a state.
-
-        Messages that came shortly before a tick would all be served before it, so the first one
-        that finds the tick due does not leave it to the timer.
+        Store a message; in lockstep, decide when it completes a state.
 
         :param name: its topic.
-        :param message: the input.
         """
         self.controller.store(name, message)
-        if self.lockstep:
-            if self.controller.take_complete_state():
-                self.on_state()
-        elif self.running and not self.ahead and overdue(self.timer) >= 0:
-            self.ahead = True
-            self.on_tick(overdue(self.timer))
+        if self.lockstep and self.controller.take_complete_state():
+            self.on_state()
 
     def on_unread(self, name: str, kind: type, data: bytes) -> None:
         """
@@ -192,23 +179,20 @@ class Driver:
 
     def on_timer(self) -> None:
         """
-        Decide, unless a message let that be done or the driver stopped meanwhile.
+        Decide, unless the driver stopped meanwhile.
 
         rclpy's executor calls a timer twice where another one is set, or simulated time goes on,
         between the moment when it is due and its call; that moves it on by two periods.
         """
         if not self.running:
             return
-        lateness = overdue(self.timer) + self.timer.timer_period_ns * 1e-9
+        lateness = (self.timer.timer_period_ns - self.timer.time_until_next_call()) * 1e-9
         if lateness < 0.0:
             self.timer.reset()
             return
-        if not self.ahead:
-            self.on_tick(lateness)
-        self.ahead = False
+        self.on_tick(lateness)
         if self.outputs.reason is None:  # only now: while a tick is due no alarm may be set
             self.expiry.set(self.controller.time_left(self.node.get_clock().now().nanoseconds))
-            self.rehearsal.expect()
 
     def on_tick(self, lateness: float) -> None:
         """
@@ -252,12 +236,3 @@ class Driver:
         model, plan = self.made_for['model'], controller.plan.note
         facts = controller_facts(model, plan, ages, controller.tally)
         return facts | self.punctuality.facts()
-
-
-def overdue(timer: Timer) -> float:
-    """
-    Return for how long a timer has been due to call, s; negative while it is not.
-
-    :param timer: one that calls again and again.
-    """
-    return -timer.time_until_next_call() * 1e-9

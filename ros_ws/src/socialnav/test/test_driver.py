@@ -47,18 +47,6 @@ def ticking(graph):
     ticking.close()
 
 
-def test_a_message_that_finds_a_tick_due_makes_it_wait_no_longer_and_there_is_one(ticking):
-    ticking.driver.on_input('odom', None)
-    assert not ticking.lateness, 'no tick is due yet'
-    time.sleep(1.4 * PERIOD)
-    ticking.driver.on_input('odom', None)
-    ticking.driver.on_input('pedestrians', None)
-    assert len(ticking.lateness) == 1 and ticking.lateness[0] > 0.3 * PERIOD
-    ticking.spin(0.2 * PERIOD)
-    assert not ticking.driver.ahead, 'the timer has not called'
-    assert len(ticking.lateness) == 1, 'the timer has done it again'
-
-
 def test_ticks_keep_their_period_though_alarms_are_set_while_one_is_due(ticking):
     ticking.spin(0.5 * PERIOD)
     time.sleep(PERIOD)
