@@ -11,10 +11,12 @@ from mcap_ros2.decoder import DecoderFactory
 import numpy as np
 import pytest
 from rclpy.serialization import deserialize_message, serialize_message
+from visualization_msgs.msg import MarkerArray
 from worlds import messages_of, random_state
 
 from socialnav.demo.bag import open_bag
-from socialnav.messages.markers import world_markers
+from socialnav.messages.filling import filled
+from socialnav_core.messages import world_markers
 from socialnav_core.viewing import bag
 from socialnav_core.viewing.recording import Recording
 from socialnav_core.viewing.ros2msg import definitions
@@ -54,7 +56,9 @@ def test_an_offline_bag_has_the_messages_that_the_nodes_publish(tmp_path):
     recording = Recording([state], 'hard', 0, 0, 'goal', 'orca')
     bag.write_bag(recording, tmp_path / 'episode.mcap')
     written = {topic: data for topic, _, _, data in records(tmp_path / 'episode.mcap')}
-    published = messages_of(state, STAMP) | {'markers': world_markers(state, 0.3, STAMP, 'odom')}
+    published = messages_of(state, STAMP) | {
+        'markers': filled(MarkerArray, world_markers(state, 0.3, STAMP, 'odom'))
+    }
     for topic, message in published.items():
         sent, kind = serialize_message(message), type(message)
         assert deserialize_message(written[f'/{topic}'], kind) == deserialize_message(sent, kind)

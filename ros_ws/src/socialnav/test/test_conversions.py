@@ -4,14 +4,10 @@ import math
 
 import numpy as np
 import pytest
-from worlds import BODY, messages_of, random_state
+from worlds import BODY, messages_of, quaternion_of, random_state
 
-from socialnav.messages.conversions import (
-    ConversionError,
-    crowd_state,
-    quaternion_of,
-    rotate,
-)  # fmt: skip
+from socialnav.messages.conversions import ConversionError, crowd_state
+from socialnav_core.messages.parts import rotate
 
 
 def back(messages: dict, time: float = 0.5):

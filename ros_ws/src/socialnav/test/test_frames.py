@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 from test_controller import Recorder, SECOND, SETTINGS
-from worlds import BODY, messages_of, random_state
+from worlds import BODY, messages_of, quaternion_of, random_state
 
 from socialnav.control.controller import Controller
-from socialnav.messages.conversions import crowd_state, quaternion_of
+from socialnav.messages.conversions import crowd_state
 from socialnav_core.sensing import HERE, Pose
 
 PLACEMENT = Pose(1.0, -2.0, 0.7)

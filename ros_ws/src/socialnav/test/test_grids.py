@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from test_controller import controller_of, SECOND, SETTINGS
 from test_controller import policy as policy
-from worlds import random_state
+from worlds import quaternion_of, random_state
 
-from socialnav.messages.conversions import ConversionError, quaternion_of
+from socialnav.messages.conversions import ConversionError
 from socialnav.messages.grids import grid_discs, grid_points
 from socialnav.messages.occupancy import map_message
 from socialnav.messages.stamps import header_message

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from worlds import random_state
+from worlds import messages_of, random_state
 
-from socialnav.messages.conversions import agents_message, ConversionError, odometry_message
+from socialnav.messages.conversions import ConversionError
 from socialnav.messages.occupancy import map_message
 from socialnav.messages.sensor_messages import scan_message
 from socialnav.messages.stamps import nanoseconds_of
@@ -27,7 +27,7 @@ def state_at(position=(0.0, 0.0), heading=0.0, pedestrians=0):
 
 
 def odometry(stamp=SECOND, **pose):
-    return odometry_message(state_at(**pose), stamp, 'odom', 'base_link')
+    return messages_of(state_at(**pose), stamp)['odom']
 
 
 def scan(stamp=SECOND, beams=36, ahead=WALL):
@@ -89,7 +89,7 @@ def walker(stamp, velocity=1.0, x=WALL):
         (velocity, 0),
         0.3,
     )
-    return agents_message(state, False, stamp, 'odom')
+    return messages_of(state, stamp)['pedestrians']
 
 
 def test_a_known_pedestrian_is_no_obstacle():

@@ -6,10 +6,9 @@ from nav_msgs.msg import OccupancyGrid, Odometry
 import numpy as np
 import pytest
 from sensor_msgs.msg import LaserScan
-from worlds import random_state
+from worlds import messages_of, random_state
 
 from socialnav import qos
-from socialnav.messages.conversions import odometry_message
 from socialnav.messages.occupancy import map_message
 from socialnav.messages.sensor_messages import scan_message
 from socialnav_core.sensing import DetectorSettings, ScannerSettings, Sensors
@@ -41,7 +40,7 @@ class Robot:
 
     def tell_place(self):
         """Publish where the robot is now."""
-        self.odometry.publish(odometry_message(self.state, self.now(), 'odom', 'base_link'))
+        self.odometry.publish(messages_of(self.state, self.now())['odom'])
 
     def now(self):
         return self.graph.node.get_clock().now().nanoseconds

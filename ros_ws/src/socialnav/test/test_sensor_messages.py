@@ -5,9 +5,9 @@ import math
 from geometry_msgs.msg import PoseArray
 import numpy as np
 import pytest
-from worlds import random_state
+from worlds import messages_of, random_state
 
-from socialnav.messages.conversions import agents_message, ConversionError, odometry_message
+from socialnav.messages.conversions import ConversionError
 from socialnav.messages.detection_types import DETECTION_TYPES
 from socialnav.messages.sensor_messages import (
     detection_points,
@@ -29,7 +29,7 @@ POSITIONS = np.array([[1.0, 2.0], [-0.5, 0.25]])
 def locator():
     """Return a locator that knows where a robot was at second 1."""
     result = Locator('odom', 'base_link', 0.2)
-    result.store(odometry_message(random_state(0), SECOND, 'odom', 'base_link'))
+    result.store(messages_of(random_state(0), SECOND)['odom'])
     return result
 
 
@@ -67,7 +67,7 @@ def test_detections_are_read_as_they_were_written(locator):
 
 def test_agents_without_velocities_are_detections_too(locator):
     state = random_state(1)
-    message = agents_message(state, False, SECOND, 'odom')
+    message = messages_of(state, SECOND)['pedestrians']
     for agent in message.agents:
         agent.velocity.x = math.nan
     expected = state.agents.position[0][~state.agents.static[0]]
@@ -100,12 +100,12 @@ def test_nobody_detected_is_no_position(locator):
 
 def test_tracks_become_pedestrians_with_their_names_and_velocities():
     tracks = Tracks(np.array([7, 2**32 + 1]), POSITIONS, -POSITIONS)
-    agents = tracks_message(tracks, 0.3, header_message(SECOND, 'odom')).agents
+    agents = tracks_message(tracks, 0.3, SECOND, 'odom').agents
     assert [agent.id for agent in agents] == [7, 1]
     assert (agents[0].position.y, agents[0].velocity.y, agents[0].radius) == (2.0, -2.0, 0.3)
 
 
 def test_discs_become_obstacles_that_stand():
-    agents = discs_message(POSITIONS, np.array([0.4, 0.1]), header_message(0, 'odom')).agents
+    agents = discs_message(POSITIONS, np.array([0.4, 0.1]), 0, 'odom').agents
     assert (agents[1].position.x, agents[1].velocity.x, agents[1].radius) == (-0.5, 0.0, 0.1)
     assert [agent.id for agent in agents] == [0, 1]

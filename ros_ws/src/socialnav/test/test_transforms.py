@@ -6,9 +6,9 @@ import types
 
 from geometry_msgs.msg import TransformStamped, Vector3
 import pytest
-from worlds import messages_of, random_state
+from worlds import messages_of, quaternion_of, random_state
 
-from socialnav.messages.conversions import ConversionError, quaternion_of
+from socialnav.messages.conversions import ConversionError
 from socialnav.messages.transforms import placement_of_transform, Transforms
 from socialnav.simulator.transform_publisher import TransformPublisher
 from socialnav.simulator.world_messages import Frames

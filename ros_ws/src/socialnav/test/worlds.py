@@ -1,14 +1,15 @@
 """Small worlds for tests."""
 
+from geometry_msgs.msg import PoseStamped, Quaternion
+from nav_msgs.msg import Odometry
 import numpy as np
 
-from socialnav.messages.conversions import (
-    agents_message,
-    goal_message,
-    odometry_message,
-    RobotBody,
-)
+from socialnav.messages.conversions import RobotBody
+from socialnav.messages.filling import filled
+from socialnav_core.messages import agent_states, goal, odometry
+from socialnav_core.messages.parts import rotation
 from socialnav_core.states import Agents, CrowdState, Robot
+from socialnav_msgs.msg import AgentStates
 
 BODY = RobotBody(radius=0.3, preferred_speed=1.0, bounds=7.5)
 
@@ -44,8 +45,13 @@ def random_state(seed: int, pedestrians: int = 3, obstacles: int = 2) -> CrowdSt
 def messages_of(state: CrowdState, stamp: int = 0, frame: str = 'odom') -> dict:
     """Return the four inputs of a policy."""
     return {
-        'odom': odometry_message(state, stamp, frame, 'base_link'),
-        'goal_pose': goal_message(state, stamp, frame),
-        'pedestrians': agents_message(state, False, stamp, frame),
-        'obstacles': agents_message(state, True, stamp, frame),
+        'odom': filled(Odometry, odometry(state, stamp, frame, 'base_link')),
+        'goal_pose': filled(PoseStamped, goal(state, stamp, frame)),
+        'pedestrians': filled(AgentStates, agent_states(state, False, stamp, frame)),
+        'obstacles': filled(AgentStates, agent_states(state, True, stamp, frame)),
     }
+
+
+def quaternion_of(heading: float) -> Quaternion:
+    """Return the rotation about the z axis by an angle, rad."""
+    return filled(Quaternion, rotation(heading))

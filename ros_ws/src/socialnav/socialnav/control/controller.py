@@ -14,9 +14,10 @@ from socialnav.control.reasons import ARRIVED, STALLED
 from socialnav.control.runs import Run
 from socialnav.control.settings import ControllerSettings
 from socialnav.control.tally import Tally
-from socialnav.messages.conversions import ConversionError, crowd_state, rotate
+from socialnav.messages.conversions import ConversionError, crowd_state
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.grids import grid_discs, with_discs
+from socialnav_core.messages.parts import rotate
 from socialnav_core.policies import Policy, ValuePolicy
 from socialnav_core.simulation.limits import present_command, reachable
 from socialnav_core.states import CrowdState

@@ -1,30 +1,32 @@
-"""A recorded state as markers, which viewers show without knowing the other messages."""
+"""The world as visualization_msgs/MarkerArray, which viewers show without other messages."""
 
 import numpy as np
 
+from socialnav_core.messages.parts import header, Message, rotation, vector
 from socialnav_core.states import CrowdState
-from socialnav_core.viewing.bag_messages import header, Message, rotation, vector
 
 ARROW, CYLINDER = 0, 3
 ADD, DELETE_ALL = 0, 3
-HEIGHTS = {'pedestrians': 1.6, 'obstacles': 1.0, 'robot': 0.6, 'goal': 0.02}
+HEIGHTS = {'pedestrians': 1.6, 'obstacles': 1.0, 'robot': 0.6, 'goal': 0.02, 'attention': 0.04}
 COLORS = {
     'pedestrians': {'r': 0.84, 'g': 0.37, 'b': 0.0, 'a': 0.9},
     'obstacles': {'r': 0.4, 'g': 0.4, 'b': 0.4, 'a': 1.0},
     'robot': {'r': 0.0, 'g': 0.45, 'b': 0.7, 'a': 1.0},
     'goal': {'r': 0.0, 'g': 0.62, 'b': 0.45, 'a': 0.8},
+    'attention': {'r': 0.8, 'g': 0.47, 'b': 0.65, 'a': 1.0},
 }
 
 
-def world_markers(state: CrowdState, goal_tolerance: float, nanoseconds: int) -> Message:
+def world_markers(
+    state: CrowdState, goal_tolerance: float, nanoseconds: int, frame: str
+) -> Message:
     """
-    Return everything in the world as a visualization_msgs/MarkerArray.
+    Return everything in the world; markers shown before are replaced.
 
     :param state: batch of one.
     :param goal_tolerance: radius of the goal, m.
-    :param nanoseconds: time of the state.
     """
-    markers: list[Message] = [{'action': DELETE_ALL}]
+    markers: list[Message] = []
     for index in np.flatnonzero(state.agents.valid[0]).tolist():
         name = 'obstacles' if state.agents.static[0, index] else 'pedestrians'
         place, radius = state.agents.position[0, index], float(state.agents.radius[0, index])
@@ -35,7 +37,12 @@ def world_markers(state: CrowdState, goal_tolerance: float, nanoseconds: int) ->
     markers.append(disc('goal', 0, state.robot.goal[0], goal_tolerance))
     markers.append(disc('robot', 0, robot, float(state.robot.radius[0])))
     markers.append(arrow('robot', 0, robot, state.robot.velocity[0]))
-    return {'markers': [{'header': header(nanoseconds), **marker} for marker in markers]}
+    return replacing(markers, header(nanoseconds, frame))
+
+
+def replacing(markers: list[Message], header: Message) -> Message:
+    """Return markers, with their header, that replace all those shown before."""
+    return {'markers': [{'header': header, **one} for one in [{'action': DELETE_ALL}, *markers]]}
 
 
 def disc(name: str, index: int, centre: np.ndarray, radius: float) -> Message:
@@ -54,7 +61,7 @@ def disc(name: str, index: int, centre: np.ndarray, radius: float) -> Message:
         'type': CYLINDER,
         'action': ADD,
         'pose': {'position': vector(centre, height / 2)},
-        'scale': vector(np.full(2, 2 * radius), height),
+        'scale': {'x': 2 * radius, 'y': 2 * radius, 'z': height},
         'color': COLORS[name],
     }
 
@@ -75,7 +82,10 @@ def arrow(name: str, index: int, foot: np.ndarray, velocity: np.ndarray) -> Mess
         'id': index,
         'type': ARROW,
         'action': ADD,
-        'pose': {'position': vector(foot, HEIGHTS[name]), 'orientation': rotation(heading)},
+        'pose': {
+            'position': vector(foot, HEIGHTS[name]),
+            'orientation': rotation(heading),
+        },
         'scale': {'x': length, 'y': 0.08, 'z': 0.08},
         'color': COLORS[name],
     }
