@@ -2,9 +2,9 @@
 
 import math
 
+from helpers.worlds import BODY, messages_of, quaternion_of, random_state
 import numpy as np
 import pytest
-from worlds import BODY, messages_of, quaternion_of, random_state
 
 from socialnav.messages.conversions import ConversionError, crowd_state
 from socialnav_core.messages.parts import rotate

@@ -1,8 +1,8 @@
 """Laws of finding obstacles, without the middleware."""
 
+from helpers.worlds import messages_of, random_state
 import numpy as np
 import pytest
-from worlds import messages_of, random_state
 
 from socialnav.messages.conversions import ConversionError
 from socialnav.messages.occupancy import map_message

@@ -6,12 +6,12 @@ import shlex
 import subprocess
 
 from geometry_msgs.msg import PoseStamped
-from graph import open_graph
+from helpers.graph import open_graph
 import pytest
 
 from socialnav import qos
 
-README = (Path(__file__).parents[1] / 'README.md').read_text()
+README = (Path(__file__).parents[2] / 'README.md').read_text()
 POLICY, SIMULATOR = '/policy_node', '/simulator_node'
 
 

@@ -6,13 +6,13 @@ import re
 
 from ament_index_python.packages import get_package_share_directory
 from geometry_msgs.msg import PoseStamped, Twist
+from helpers.worlds import messages_of, random_state
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 import numpy as np
 import pytest
 from rclpy.serialization import deserialize_message, serialize_message
 from visualization_msgs.msg import MarkerArray
-from worlds import messages_of, random_state
 
 from socialnav.demo.bag import open_bag
 from socialnav.messages.filling import filled

@@ -4,8 +4,8 @@ import math
 
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Odometry
-from worlds import messages_of
 
+from helpers.worlds import messages_of
 from socialnav import qos
 from socialnav_msgs.msg import AgentStates
 

@@ -4,9 +4,10 @@ import time
 
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Twist
-from robot import Robot, speed
-import stops
 
+from helpers import stops
+from helpers.robot import Robot, speed
+from helpers.worlds import random_state
 from socialnav import qos
 
 
@@ -60,3 +61,18 @@ class Drive:
         began, self.stopped = time.monotonic(), None
         self.until(False, reason, state, what, **options)
         stops.note(what, self.stopped - began, within)
+
+
+def drives_among_any_number(drive):
+    """Show a robot nobody, somebody twice, and very many."""
+    drive.moves(random_state(0, pedestrians=0, obstacles=0), 'nobody at all')
+    drive.moves(random_state(0), 'one id for all', change=duplicate)
+    crowd = random_state(0, pedestrians=500)
+    crowd = crowd.with_agents(position=crowd.agents.position + 40.0)
+    drive.moves(crowd, '500 pedestrians')
+
+
+def duplicate(messages):
+    """Give all pedestrians one id."""
+    for one in messages['pedestrians'].agents:
+        one.id = 7

@@ -4,19 +4,18 @@ import math
 import signal
 
 from diagnostic_msgs.msg import DiagnosticArray
-from driving import Drive
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
-from graph import DEADLINE
-from managed import change_parameter
+from helpers.driving import Drive, drives_among_any_number
+from helpers.graph import DEADLINE
+from helpers.managed import change_parameter
+from helpers.plans import plan_of
+from helpers.robot import Robot, speed
+from helpers.worlds import random_state
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
 import numpy as np
 import pytest
-from robot import Robot, speed
 from std_msgs.msg import Bool
 from std_srvs.srv import SetBool
-from test_faults import drives_among_any_number
-from test_plan import plan_of
-from worlds import random_state
 
 from socialnav import qos
 from socialnav.control.reasons import STALLED

@@ -7,15 +7,15 @@ import sys
 import time
 
 from geometry_msgs.msg import Twist
-from graph import kill
-from managed import change_state, state_of
+from helpers import stops
+from helpers.graph import kill
+from helpers.managed import change_state, state_of
+from helpers.processes import wait_until_loading
+from helpers.robot import drives, speed
+from helpers.shared_memory import owned_files
 from nav_msgs.msg import Odometry
 import numpy as np
-from processes import wait_until_loading
 import pytest
-from robot import drives, speed
-from shared_memory import owned_files
-import stops
 
 from socialnav import qos
 from socialnav.parameters import SIMULATOR_PARAMETERS
@@ -25,7 +25,7 @@ from socialnav_msgs.msg import EpisodeResult
 
 pytestmark = pytest.mark.usefixtures('repetition')
 
-PREPARING_NODE = Path(__file__).with_name('preparing_node.py')
+PREPARING_NODE = Path(__file__).parents[1] / 'helpers' / 'preparing_node.py'
 POLICY = {'model': 'orca', 'bounds': 7.5}
 NODES = ('policy_node', 'simulator_node', 'obstacle_node', 'tracker_node')
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)

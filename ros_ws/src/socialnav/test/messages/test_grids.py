@@ -3,12 +3,11 @@
 import dataclasses
 import math
 
+from helpers.controllers import controller_of, SECOND, SETTINGS
+from helpers.worlds import quaternion_of, random_state
 from nav_msgs.msg import OccupancyGrid
 import numpy as np
 import pytest
-from test_controller import controller_of, SECOND, SETTINGS
-from test_controller import policy as policy
-from worlds import quaternion_of, random_state
 
 from socialnav.messages.conversions import ConversionError
 from socialnav.messages.grids import grid_discs, grid_points

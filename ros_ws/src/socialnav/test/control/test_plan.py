@@ -3,29 +3,17 @@
 import dataclasses
 import math
 
-from geometry_msgs.msg import PoseStamped
-from nav_msgs.msg import Path
+from helpers.controllers import controller_of, give, Recorder, SECOND, SETTINGS
+from helpers.plans import plan_of
+from helpers.worlds import random_state
 import numpy as np
 import pytest
-from test_controller import controller_of, give, Recorder, SECOND, SETTINGS
-from worlds import random_state
 
 from socialnav.control.plan import FOLLOWED, NO_PLAN, PlanFollower
-from socialnav.messages.stamps import header_message
 from socialnav_core.sensing import Pose
 
 CORNER = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0)]
 LOOP = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, -4.0)]
-
-
-def plan_of(points, stamp=SECOND, frame='odom'):
-    """Return a plan as planners publish it."""
-    plan = Path(header=header_message(stamp, frame))
-    for x, y in points:
-        pose = PoseStamped()
-        pose.pose.position.x, pose.pose.position.y = x, y
-        plan.poses.append(pose)
-    return plan
 
 
 def heading_points(plan, places, ahead=1.0, **options):

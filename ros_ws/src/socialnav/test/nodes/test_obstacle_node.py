@@ -2,11 +2,11 @@
 
 import signal
 
+from helpers.worlds import messages_of, random_state
 from nav_msgs.msg import OccupancyGrid, Odometry
 import numpy as np
 import pytest
 from sensor_msgs.msg import LaserScan
-from worlds import messages_of, random_state
 
 from socialnav import qos
 from socialnav.messages.occupancy import map_message

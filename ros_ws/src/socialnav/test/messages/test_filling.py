@@ -3,12 +3,12 @@
 import math
 
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
+from helpers.worlds import random_state
 from nav_msgs.msg import Odometry, Path
 import numpy as np
 import pytest
 from rclpy.serialization import deserialize_message, serialize_message
 from visualization_msgs.msg import Marker, MarkerArray
-from worlds import random_state
 
 from socialnav.messages.filling import filled
 from socialnav_core import messages

@@ -4,20 +4,20 @@ from pathlib import Path
 import sys
 import time
 
-from driving import Drive
+from helpers import stops
+from helpers.driving import Drive
+from helpers.robot import speed
+from helpers.worlds import random_state
 import numpy as np
 import pytest
-from robot import speed
 from rosgraph_msgs.msg import Clock
-import stops
-from worlds import random_state
 
 from socialnav import qos
 from socialnav.messages.stamps import time_message
 
 pytestmark = pytest.mark.usefixtures('repetition')
 
-STALLING_NODE = Path(__file__).with_name('stalling_node.py')
+STALLING_NODE = Path(__file__).parents[1] / 'helpers' / 'stalling_node.py'
 SINCE_DECISION = stops.LIMIT + stops.PERIOD
 """Time to the stop where it counts from a decision, which may be a period later, s."""
 

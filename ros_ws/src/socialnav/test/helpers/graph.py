@@ -12,8 +12,8 @@ from typing import Any
 import rclpy
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import QoSProfile
-from shared_memory import owned_files, remove
 
+from helpers.shared_memory import owned_files, remove
 from socialnav.demo.children import command_line
 
 DEADLINE = 60.0

@@ -4,11 +4,11 @@ import pickle
 import signal
 
 from geometry_msgs.msg import Twist
+from helpers.managed import change_parameter, change_state, DOUBLE, state_of, TEXT
+from helpers.robot import drives, speed
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState
-from managed import change_parameter, change_state, DOUBLE, state_of, TEXT
 import pytest
-from robot import drives, speed
 
 from socialnav import qos
 from socialnav_core.config import Config

@@ -2,12 +2,12 @@
 
 import math
 
-from driving import Drive
-from managed import change_parameters, change_state
+from helpers.driving import Drive
+from helpers.managed import change_parameters, change_state
+from helpers.worlds import random_state
 import pytest
 import rclpy
 from rclpy.parameter import Parameter
-from worlds import random_state
 
 from socialnav.parameters import declare, ParameterError, POLICY_PARAMETERS, SIMULATOR_PARAMETERS
 from socialnav.perception.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS

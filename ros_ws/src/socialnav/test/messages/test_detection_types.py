@@ -4,7 +4,7 @@ from importlib.util import find_spec
 from types import SimpleNamespace as Fields
 
 from geometry_msgs.msg import Point, Pose, PoseArray
-from graph import DEADLINE
+from helpers.graph import DEADLINE
 import numpy as np
 import pytest
 

@@ -2,9 +2,9 @@
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import Twist
-from managed import change_state
+from helpers.managed import change_state
+from helpers.robot import drives, speed
 import pytest
-from robot import drives, speed
 from std_srvs.srv import Trigger
 
 from socialnav import qos

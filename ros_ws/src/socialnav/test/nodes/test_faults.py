@@ -2,13 +2,13 @@
 
 import math
 
-from driving import Drive
-from graph import open_graph
-from managed import change_parameter, DOUBLE
+from helpers.driving import Drive, drives_among_any_number
+from helpers.graph import open_graph
+from helpers.managed import change_parameter, DOUBLE
+from helpers.robot import speed
+from helpers.worlds import random_state
 import numpy as np
 import pytest
-from robot import speed
-from worlds import random_state
 
 pytestmark = pytest.mark.usefixtures('repetition')
 
@@ -85,23 +85,8 @@ def test_a_clock_that_jumps_stops_the_robot_and_the_right_time_lets_it_go_on(dri
     drive.moves(state)
 
 
-def duplicate(messages):
-    """Give all pedestrians one id."""
-    for one in messages['pedestrians'].agents:
-        one.id = 7
-
-
 def test_any_number_of_agents_with_any_ids_can_be_driven_among(drive):
     drives_among_any_number(drive)
-
-
-def drives_among_any_number(drive):
-    """Show a robot nobody, somebody twice, and very many."""
-    drive.moves(random_state(0, pedestrians=0, obstacles=0), 'nobody at all')
-    drive.moves(random_state(0), 'one id for all', change=duplicate)
-    crowd = random_state(0, pedestrians=500)
-    crowd = crowd.with_agents(position=crowd.agents.position + 40.0)
-    drive.moves(crowd, '500 pedestrians')
 
 
 def test_a_goal_within_an_obstacle_is_approached_and_nothing_breaks(drive):

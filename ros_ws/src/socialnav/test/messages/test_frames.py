@@ -2,10 +2,10 @@
 
 import math
 
+from helpers.controllers import Recorder, SECOND, SETTINGS
+from helpers.worlds import BODY, messages_of, quaternion_of, random_state
 import numpy as np
 import pytest
-from test_controller import Recorder, SECOND, SETTINGS
-from worlds import BODY, messages_of, quaternion_of, random_state
 
 from socialnav.control.controller import Controller
 from socialnav.messages.conversions import crowd_state

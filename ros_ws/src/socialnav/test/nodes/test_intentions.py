@@ -1,9 +1,9 @@
 """Laws of what is shown of a decision."""
 
 from geometry_msgs.msg import Twist
+from helpers.robot import drives
 from nav_msgs.msg import Path
 import pytest
-from robot import drives
 import torch
 from visualization_msgs.msg import MarkerArray
 

@@ -5,8 +5,8 @@ import sys
 import types
 
 from geometry_msgs.msg import TransformStamped, Vector3
+from helpers.worlds import messages_of, quaternion_of, random_state
 import pytest
-from worlds import messages_of, quaternion_of, random_state
 
 from socialnav.messages.conversions import ConversionError
 from socialnav.messages.transforms import placement_of_transform, Transforms

@@ -1,11 +1,11 @@
 """Laws of messages that are read only when they matter."""
 
-from driving import Drive
+from helpers.controllers import controller_of, Recorder, SECOND
+from helpers.driving import Drive
+from helpers.worlds import messages_of, random_state
 from nav_msgs.msg import Odometry
 import pytest
 from rclpy.serialization import serialize_message
-from test_controller import controller_of, Recorder, SECOND
-from worlds import messages_of, random_state
 
 from socialnav.messages.unread import content, Unread
 

@@ -3,9 +3,9 @@
 import math
 
 from geometry_msgs.msg import PoseArray
+from helpers.worlds import messages_of, random_state
 import numpy as np
 import pytest
-from worlds import messages_of, random_state
 
 from socialnav.messages.conversions import ConversionError
 from socialnav.messages.detection_types import DETECTION_TYPES
