@@ -20,6 +20,7 @@ from socialnav.control.inputs import AGEING
 from socialnav.control.models import ready_policy
 from socialnav.control.settings import controller_settings
 from socialnav.messages.frames import not_asked
+from socialnav.messages.reading import message_in
 from socialnav.messages.transforms import Transforms
 from socialnav.messages.unread import Unread
 from socialnav.parameters import fixed_values, POLICY_PARAMETERS
@@ -85,7 +86,9 @@ class Driver:
         :param profile: quality of service.
         """
         raw = name in AGEING and not self.lockstep
-        callback = partial(self.on_unread, name, kind) if raw else partial(self.on_input, name)
+        callback = partial(self.on_input, name)
+        if raw:
+            callback = partial(self.on_unread, name, partial(message_in, kind))
         return self.node.create_subscription(kind, name, callback, profile, raw=raw)
 
     def start(self, values: dict[str, Any]) -> None:
@@ -148,15 +151,15 @@ class Driver:
         if self.lockstep and self.controller.take_complete_state():
             self.on_state()
 
-    def on_unread(self, name: str, kind: type, data: bytes) -> None:
+    def on_unread(self, name: str, read: Callable[[bytes], Any], data: bytes) -> None:
         """
         Store a message as it came.
 
         :param name: its topic.
-        :param kind: its type.
+        :param read: returns the message.
         :param data: the message, serialized.
         """
-        self.on_input(name, Unread(kind, data))
+        self.on_input(name, Unread(read, data))
 
     def on_cancel(self, _: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
         """

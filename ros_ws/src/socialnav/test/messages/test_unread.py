@@ -1,5 +1,7 @@
 """Laws of messages that are read only when they matter."""
 
+from functools import partial
+
 from helpers.controllers import controller_of, Recorder, SECOND
 from helpers.driving import Drive
 from helpers.worlds import messages_of, random_state
@@ -7,14 +9,15 @@ from nav_msgs.msg import Odometry
 import pytest
 from rclpy.serialization import serialize_message
 
+from socialnav.messages.reading import message_in
 from socialnav.messages.unread import content, Unread
 
-BROKEN = Unread(Odometry, b'no message at all')
+BROKEN = Unread(partial(message_in, Odometry), b'no message at all')
 
 
 def test_reading_gives_the_message_that_was_serialized_and_nothing_where_that_is_impossible():
     message = messages_of(random_state(0))['odom']
-    assert content(Unread(Odometry, serialize_message(message))) == message
+    assert content(Unread(partial(message_in, Odometry), serialize_message(message))) == message
     assert content(message) is message
     assert content(BROKEN) is None
 
@@ -34,7 +37,7 @@ def test_an_input_that_was_not_read_counts_like_one_that_was(name):
     policy, other = Recorder(), Recorder()
     message = messages_of(random_state(0), SECOND)[name]
     controller = controller_of(policy)
-    controller.store(name, Unread(type(message), serialize_message(message)))
+    controller.store(name, Unread(partial(message_in, type(message)), serialize_message(message)))
     decision, expected = controller.decide(SECOND), controller_of(other).decide(SECOND)
     assert decision.reason is expected.reason is None
     assert decision.command.tolist() == expected.command.tolist()
