@@ -47,9 +47,8 @@ def twist(command: np.ndarray, kinematics: str) -> Message:
     :param kinematics: holonomic or differential.
     """
     forward, second = command.tolist()
-    if kinematics == 'differential':
-        return {'linear': {'x': forward}, 'angular': {'z': second}}
-    return {'linear': {'x': forward, 'y': second}}
+    left, turn_rate = (0.0, second) if kinematics == 'differential' else (second, 0.0)
+    return {'linear': {'x': forward, 'y': left}, 'angular': {'z': turn_rate}}
 
 
 def stamped_twist(twist: Message, nanoseconds: int, base_frame: str) -> Message:

@@ -52,8 +52,9 @@ def test_an_agent_is_the_denser_the_more_it_is_looked_at(state):
 
 def test_a_robot_that_cannot_move_sideways_is_told_to_turn():
     command = np.array([0.5, 0.2])
-    assert twist(command, 'differential') == {'linear': {'x': 0.5}, 'angular': {'z': 0.2}}
-    assert twist(command, 'holonomic') == {'linear': {'x': 0.5, 'y': 0.2}}
+    told = {name: twist(command, name) for name in ('differential', 'holonomic')}
+    assert told['differential'] == {'linear': {'x': 0.5, 'y': 0.0}, 'angular': {'z': 0.2}}
+    assert told['holonomic'] == {'linear': {'x': 0.5, 'y': 0.2}, 'angular': {'z': 0.0}}
 
 
 def test_messages_load_without_networks_and_pictures():
