@@ -9,8 +9,8 @@ import torch
 from socialnav import qos
 from socialnav.messages.stamps import nanoseconds_of
 from socialnav.parameters import DEFAULT_MODEL
-from socialnav.simulator.world import OUTCOMES
 from socialnav_core.config import Config, PolicyConfig
+from socialnav_core.messages.results import COARSE_OUTCOMES
 from socialnav_core.policies import build_network, load_policy
 from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario, Outcome, Simulator
@@ -31,8 +31,8 @@ def offline(policy, scenario, case):
     while not ended:
         state, _, terminated, truncated, info = simulator.step(policy.act(state))
         ended = bool(terminated[0] or truncated[0])
-    outcome = OUTCOMES[Outcome(int(info['outcome'][0]))]
-    return outcome, int(info['steps'][0]), state.robot.position[0]
+    outcome = Outcome(int(info['outcome'][0])).name.lower()
+    return COARSE_OUTCOMES.get(outcome, outcome), int(info['steps'][0]), state.robot.position[0]
 
 
 @pytest.fixture(scope='module')

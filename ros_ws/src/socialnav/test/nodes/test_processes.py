@@ -39,7 +39,7 @@ BRAKING = next(one.default for one in SIMULATOR_PARAMETERS if one.name == 'cmd_v
 """Time without a command after which the simulated robot brakes, s."""
 ALLOWANCE = 0.15
 """Time of a command and of two states, s."""
-PREFERRED_SPEED = make_scenario('hard').robot.preferred_speed
+PREFERRED_SPEED = make_scenario('hard').robot_preferred_speed
 
 
 @pytest.fixture
