@@ -40,7 +40,7 @@ def agent_states_of(
     return {
         'header': header,
         'agents': [
-            {'id': id, 'position': vector(place), 'velocity': vector(speed), 'radius': radius}
-            for id, place, speed, radius in told
+            {'id': number, 'position': vector(place), 'velocity': vector(speed), 'radius': radius}
+            for number, place, speed, radius in told
         ],
     }
