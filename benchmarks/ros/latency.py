@@ -34,10 +34,13 @@ def main() -> None:
     parser.add_argument(
         '--model', default=DEFAULT_MODEL, help=f'as of policy_node (default: {DEFAULT_MODEL})'
     )
+    parser.add_argument(
+        '--agents', type=int, nargs='+', default=AGENTS, help='a row each (default: 5 10 30)'
+    )
     options = parser.parse_args()
-    rig = Rig(AGENTS[0])
+    rig = Rig(options.agents[0])
     before = conditions()
-    busy = [driving(rig, options, agents) for agents in AGENTS]
+    busy = [driving(rig, options, agents) for agents in options.agents]
     idle = idling(rig, options)
     rig.close()
     print(f'\n{before}; {conditions()} at the end\n')

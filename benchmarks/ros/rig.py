@@ -13,8 +13,9 @@ from rclpy.executors import SingleThreadedExecutor
 
 from socialnav import qos
 from socialnav.demo.isolation import isolated_environment
-from socialnav.messages.conversions import agents_message, goal_message, odometry_message
+from socialnav.messages.filling import filled
 from socialnav_core.config import Scenario
+from socialnav_core.messages import agent_states, goal, odometry
 from socialnav_core.simulation import Simulator
 from socialnav_core.states import CrowdState
 from socialnav_msgs.msg import AgentStates
@@ -78,13 +79,14 @@ class Rig:
         """Publish the present world, but for what is silent."""
         now = self.node.get_clock().now().nanoseconds
         state = self.worlds[int(now * 1e-9 / CHANGE) % WORLDS]
-        messages = {
-            'odom': odometry_message(state, now, FRAME, 'base_link'),
-            'pedestrians': agents_message(state, False, now, FRAME),
-            'goal_pose': goal_message(state, now, FRAME),
+        contents = {
+            'odom': odometry(state, now, FRAME, 'base_link'),
+            'pedestrians': agent_states(state, False, now, FRAME),
+            'goal_pose': goal(state, now, FRAME),
         }
-        for name in messages.keys() - self.silent:
-            self.publishers[name].publish(messages[name])
+        for name in contents.keys() - self.silent:
+            kind, _ = KINDS[name]
+            self.publishers[name].publish(filled(kind, contents[name]))
             self.stamps[name] = now
 
     def on_command(self, twist: Twist) -> None:

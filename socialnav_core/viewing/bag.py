@@ -4,13 +4,14 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from mcap_ros2.writer import Writer
+import numpy as np
 
+from socialnav_core import messages
 from socialnav_core.simulation.kinematics import kinematics_of
-from socialnav_core.viewing import bag_messages as messages
-from socialnav_core.viewing.bag_markers import world_markers
 from socialnav_core.viewing.recording import Recording
 from socialnav_core.viewing.ros2msg import schema_of
 
+FRAME, BASE_FRAME = 'odom', 'base_link'
 START = 10**9
 """Time of the first state, ns; a stamp of zero means to many tools that there is none."""
 TYPES = {
@@ -60,13 +61,29 @@ def all_messages(recording: Recording) -> Iterator[tuple[str, messages.Message, 
     for step, state in enumerate(recording.states):
         stamp = START + round(float(state.time[0]) * 1e9)
         turn_rate = kinematics.twist(commands[step - 1])[2] if commands and step else 0.0
-        yield 'goal_pose', messages.goal(state, stamp), stamp
-        yield 'obstacles', messages.agent_states(state, True, stamp), stamp
-        yield 'pedestrians', messages.agent_states(state, False, stamp), stamp
-        yield 'odom', messages.odometry(state, turn_rate, stamp), stamp
-        yield 'markers', world_markers(state, recording.goal_tolerance, stamp), stamp
+        yield 'goal_pose', messages.goal(state, stamp, FRAME), stamp
+        yield 'obstacles', messages.agent_states(state, True, stamp, FRAME), stamp
+        yield 'pedestrians', messages.agent_states(state, False, stamp, FRAME), stamp
+        yield 'odom', messages.odometry(state, stamp, FRAME, BASE_FRAME, turn_rate), stamp
+        tolerance = recording.goal_tolerance
+        yield 'markers', messages.world_markers(state, tolerance, stamp, FRAME), stamp
         if step < len(commands):
-            heading = float(state.robot.heading[0])
-            command = messages.command(commands[step], heading, kinematics, stamp)
-            yield 'cmd_vel', command, stamp
-    yield 'episode_result', messages.episode_result(recording, stamp), stamp
+            command = kinematics.to_base(commands[step], float(state.robot.heading[0]))
+            twist = messages.twist(command, recording.kinematics)
+            yield 'cmd_vel', messages.stamped_twist(twist, stamp, BASE_FRAME), stamp
+    yield 'episode_result', messages.episode_result(end_of(recording), stamp, FRAME), stamp
+
+
+def end_of(recording: Recording) -> messages.EpisodeEnd:
+    """Return how an episode ended."""
+    steps = np.diff(recording.robot_path, axis=0)
+    return messages.EpisodeEnd(
+        scenario=recording.scenario,
+        seed=recording.seed,
+        case_index=recording.case_index,
+        outcome=recording.outcome,
+        time=float(recording.times[-1]),
+        path_length=float(np.hypot(steps[:, 0], steps[:, 1]).sum()),
+        minimum_clearance=recording.minimum_clearance,
+        steps=len(recording.states) - 1,
+    )

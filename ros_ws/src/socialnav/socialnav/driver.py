@@ -20,6 +20,7 @@ from socialnav.control.inputs import AGEING
 from socialnav.control.models import ready_policy
 from socialnav.control.settings import controller_settings
 from socialnav.messages.frames import not_asked
+from socialnav.messages.reading import message_in
 from socialnav.messages.transforms import Transforms
 from socialnav.messages.unread import Unread
 from socialnav.parameters import fixed_values, POLICY_PARAMETERS
@@ -27,7 +28,6 @@ from socialnav.policy_outputs import PolicyOutputs
 from socialnav.realtime.alarm import Alarm
 from socialnav.realtime.clocks import pacing_clock
 from socialnav.realtime.punctuality import Punctuality
-from socialnav.realtime.rehearsal import Rehearsal
 from socialnav.realtime.watchdog import Watchdog
 from socialnav_msgs.msg import AgentStates
 
@@ -52,12 +52,10 @@ class Driver:
         locate = not_asked if settings.lockstep else self.transforms.locate
         self.controller = Controller(ready_policy(values, settings), settings, locate=locate)
         self.running = False
-        self.ahead = False
         self.lockstep = settings.lockstep
         self.node = node
         self.timer: Timer | None = None
         self.expiry: Alarm | None = None
-        self.rehearsal: Rehearsal | None = None
         self.watchdog: Watchdog | None = None
         self.punctuality = Punctuality(settings.period)
         self.outputs = PolicyOutputs(node, self.controller, values, on_change)
@@ -88,7 +86,9 @@ class Driver:
         :param profile: quality of service.
         """
         raw = name in AGEING and not self.lockstep
-        callback = partial(self.on_unread, name, kind) if raw else partial(self.on_input, name)
+        callback = partial(self.on_input, name)
+        if raw:
+            callback = partial(self.on_unread, name, partial(message_in, kind))
         return self.node.create_subscription(kind, name, callback, profile, raw=raw)
 
     def start(self, values: dict[str, Any]) -> None:
@@ -98,7 +98,7 @@ class Driver:
         :param values: all parameters.
         """
         self.use(values)
-        self.running, self.ahead = True, False
+        self.running = True
         self.outputs.begin()
         if not self.lockstep:
             settings = self.controller.settings
@@ -106,7 +106,6 @@ class Driver:
             clock = pacing_clock(self.node)
             self.timer = self.node.create_timer(settings.period, self.on_timer, clock=clock)
             self.expiry = Alarm(self.node, self.on_expiry, clock)
-            self.rehearsal = Rehearsal(self.node, self.timer, self.controller)
             self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
 
     def use(self, values: dict[str, Any]) -> None:
@@ -130,7 +129,6 @@ class Driver:
             self.watchdog.stop()
             self.node.destroy_timer(self.timer)
             self.expiry.close()
-            self.rehearsal.close()
             self.watchdog = None
         self.outputs.end()
 
@@ -145,31 +143,23 @@ class Driver:
 
     def on_input(self, name: str, message: Any) -> None:
         """
-        Store a message and decide if that is due: in lockstep, when it completes a state.
-
-        Messages that came shortly before a tick would all be served before it, so the first one
-        that finds the tick due does not leave it to the timer.
+        Store a message; in lockstep, decide when it completes a state.
 
         :param name: its topic.
-        :param message: the input.
         """
         self.controller.store(name, message)
-        if self.lockstep:
-            if self.controller.take_complete_state():
-                self.on_state()
-        elif self.running and not self.ahead and overdue(self.timer) >= 0:
-            self.ahead = True
-            self.on_tick(overdue(self.timer))
+        if self.lockstep and self.controller.take_complete_state():
+            self.on_state()
 
-    def on_unread(self, name: str, kind: type, data: bytes) -> None:
+    def on_unread(self, name: str, read: Callable[[bytes], Any], data: bytes) -> None:
         """
         Store a message as it came.
 
         :param name: its topic.
-        :param kind: its type.
+        :param read: returns the message.
         :param data: the message, serialized.
         """
-        self.on_input(name, Unread(kind, data))
+        self.on_input(name, Unread(read, data))
 
     def on_cancel(self, _: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
         """
@@ -192,23 +182,20 @@ class Driver:
 
     def on_timer(self) -> None:
         """
-        Decide, unless a message let that be done or the driver stopped meanwhile.
+        Decide, unless the driver stopped meanwhile.
 
         rclpy's executor calls a timer twice where another one is set, or simulated time goes on,
         between the moment when it is due and its call; that moves it on by two periods.
         """
         if not self.running:
             return
-        lateness = overdue(self.timer) + self.timer.timer_period_ns * 1e-9
+        lateness = (self.timer.timer_period_ns - self.timer.time_until_next_call()) * 1e-9
         if lateness < 0.0:
             self.timer.reset()
             return
-        if not self.ahead:
-            self.on_tick(lateness)
-        self.ahead = False
+        self.on_tick(lateness)
         if self.outputs.reason is None:  # only now: while a tick is due no alarm may be set
             self.expiry.set(self.controller.time_left(self.node.get_clock().now().nanoseconds))
-            self.rehearsal.expect()
 
     def on_tick(self, lateness: float) -> None:
         """
@@ -252,12 +239,3 @@ class Driver:
         model, plan = self.made_for['model'], controller.plan.note
         facts = controller_facts(model, plan, ages, controller.tally)
         return facts | self.punctuality.facts()
-
-
-def overdue(timer: Timer) -> float:
-    """
-    Return for how long a timer has been due to call, s; negative while it is not.
-
-    :param timer: one that calls again and again.
-    """
-    return -timer.time_until_next_call() * 1e-9

@@ -16,8 +16,14 @@ from socialnav import qos
 from socialnav.control.controller import Controller, Decision, NO_COMMAND
 from socialnav.control.plan import FOLLOWED, NO_PLAN
 from socialnav.control.reasons import ARRIVED, UNDECIDED
-from socialnav.messages.commands import stamped_twist_message, twist_message
-from socialnav.messages.intentions import attention_markers, planned_path, predicted_path
+from socialnav.messages.filling import filled
+from socialnav_core.messages import (
+    attention_markers,
+    planned_path,
+    predicted_path,
+    stamped_twist,
+    twist,
+)
 
 LAST_WORD = Duration(nanoseconds=500_000_000)
 """How long it is waited at the end for the last command to arrive."""
@@ -99,11 +105,12 @@ class PolicyOutputs:
             else:
                 motion = (intention.state, intention.command, settings.kinematics)
                 path = predicted_path(*motion, now, frame)
-            self.path.publish(path)
+            self.path.publish(filled(Path, path))
         if self.attention.get_subscription_count():
             weights = self.controller.attention()
             if weights is not None:
-                self.attention.publish(attention_markers(intention.state, weights, now, frame))
+                markers = attention_markers(intention.state, weights, now, frame)
+                self.attention.publish(filled(MarkerArray, markers))
 
     def rivals(self) -> list[str]:
         """Return the other publishers of commands, by their nodes."""
@@ -144,10 +151,10 @@ class PolicyOutputs:
 
         :param decision: the command and, in lockstep, the state that it answers.
         """
-        message = twist_message(decision.command, self.controller.settings.kinematics)
+        kind, content = Twist, twist(decision.command, self.controller.settings.kinematics)
         if self.stamped:
             now = self.node.get_clock().now().nanoseconds
             stamp = decision.stamp if self.lockstep else now
-            message = stamped_twist_message(message, stamp, self.base_frame)
-        self.commands.publish(message)
+            kind, content = TwistStamped, stamped_twist(content, stamp, self.base_frame)
+        self.commands.publish(filled(kind, content))
         self.latest_command = time.monotonic()

@@ -16,7 +16,7 @@ from visualization_msgs.msg import MarkerArray
 from socialnav import qos
 from socialnav.messages.commands import command_array
 from socialnav.messages.conversions import ConversionError, goal_array
-from socialnav.messages.markers import world_markers
+from socialnav.messages.filling import filled
 from socialnav.messages.occupancy import map_message
 from socialnav.messages.stamps import nanoseconds_of, time_message
 from socialnav.parameters import declare, SIMULATOR_PARAMETERS
@@ -25,7 +25,8 @@ from socialnav.simulator.settings import simulator_settings
 from socialnav.simulator.simulated_sensors import SimulatedSensors
 from socialnav.simulator.transform_publisher import transform_publisher
 from socialnav.simulator.world import World
-from socialnav.simulator.world_messages import moving_messages, result_message, standing_messages
+from socialnav.simulator.world_messages import moving_messages, standing_messages
+from socialnav_core.messages import episode_result, world_markers
 from socialnav_msgs.msg import AgentStates, EpisodeResult
 from socialnav_msgs.srv import StartEpisode
 
@@ -227,7 +228,8 @@ class SimulatorNode(Node):
         """Publish what the latest advance led to."""
         stamp = self.publish_state()
         if self.world.episode is not None:
-            self.results.publish(result_message(self.world.episode, stamp, self.frames))
+            result = episode_result(self.world.episode, stamp, self.frames.odom)
+            self.results.publish(filled(EpisodeResult, result))
             if self.world.done:
                 self.get_logger().info('all episodes are done')
 
@@ -247,7 +249,8 @@ class SimulatorNode(Node):
             self.transforms.publish(moving['odom'])
         if self.markers.get_subscription_count():
             tolerance = self.world.scenario.goal_tolerance
-            self.markers.publish(world_markers(state, tolerance, stamp, self.frames.odom))
+            markers = world_markers(state, tolerance, stamp, self.frames.odom)
+            self.markers.publish(filled(MarkerArray, markers))
         return stamp
 
     def publish(self, messages: dict[str, Any]) -> None:

@@ -10,7 +10,7 @@ from socialnav import qos
 from socialnav.messages.conversions import ConversionError
 from socialnav.messages.detection_types import DETECTION_TYPES, message_class
 from socialnav.messages.sensor_messages import detection_points, tracks_message
-from socialnav.messages.stamps import header_message, nanoseconds_of
+from socialnav.messages.stamps import nanoseconds_of
 from socialnav.parameters import declare
 from socialnav.perception.locating import Locator
 from socialnav.perception.sensor_parameters import TRACKER_PARAMETERS
@@ -89,9 +89,8 @@ class TrackerNode(Node):
         if stamp is None:
             return
         tracks = self.tracker.update(stamp * 1e-9, points)
-        header = header_message(stamp, self.locator.planning_frame)
-        radius = self.values['pedestrian_radius']
-        self.pedestrians.publish(tracks_message(tracks, radius, header))
+        radius, frame = self.values['pedestrian_radius'], self.locator.planning_frame
+        self.pedestrians.publish(tracks_message(tracks, radius, stamp, frame))
 
     def moment_of(self, stamp: int) -> int | None:
         """

@@ -3,9 +3,10 @@
 from collections.abc import Iterator
 import os
 
-from graph import Graph, open_graph
+from helpers import stops
+from helpers.controllers import Recorder
+from helpers.graph import Graph, open_graph
 import pytest
-import stops
 
 from socialnav.demo.isolation import isolated_environment
 
@@ -17,6 +18,12 @@ def graph() -> Iterator[Graph]:
     """Yield a node that listens and speaks, and starts others."""
     with open_graph() as graph:
         yield graph
+
+
+@pytest.fixture
+def policy() -> Recorder:
+    """Return a policy that keeps what it saw and drives east."""
+    return Recorder()
 
 
 @pytest.fixture(params=[1, *(pytest.param(n, marks=pytest.mark.slow) for n in range(2, 6))])

@@ -8,7 +8,7 @@ import signal
 import subprocess
 
 from ament_index_python.packages import get_package_prefix
-from graph import DEADLINE
+from helpers.graph import DEADLINE
 import pytest
 import rclpy
 from rclpy.context import Context

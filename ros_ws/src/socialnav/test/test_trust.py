@@ -5,8 +5,8 @@ import re
 import subprocess
 import sys
 
+from helpers import stops
 import pytest
-import stops
 
 BENCHMARKS = Path(__file__).resolve().parents[4] / 'benchmarks' / 'ros'
 

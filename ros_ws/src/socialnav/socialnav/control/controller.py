@@ -1,7 +1,6 @@
 """All of the decision: from the newest inputs to a velocity of the robot, or a reason to stand."""
 
 from collections.abc import Callable
-import contextlib
 import dataclasses
 import time
 from typing import Any
@@ -137,14 +136,6 @@ class Controller:
         self._latest = Decision(command, reason, self._to_be_published(reason), stamp)
         return self._latest
 
-    def rehearse(self) -> None:
-        """Do the work of the latest decision again, with what has come since, for no result."""
-        if self.intention is None or self._policy.description.remembers:
-            return  # what it sees twice could change its decision
-        with contextlib.suppress(Exception):  # the decision itself will tell
-            self._read_state(not_asked)  # a transform may have to be waited for
-            self._policy.act(self.intention.state, self.settings.limits)
-
     def stall(self) -> Decision:
         """Return what to do when decide() is not called any more; another thread may ask."""
         return Decision(NO_COMMAND, STALLED, self._to_be_published(STALLED))
@@ -188,7 +179,7 @@ class Controller:
     def _known_state(self, now: int) -> CrowdState:
         """Return the world at the inputs' own times, the nearest agents; begin a run if new."""
         settings, goal = self.settings, self._inputs.newest('goal_pose')
-        state = self._read_state(self._locate)
+        state = self._read_state()
         moment = self._inputs.stamp('odom') if settings.lockstep else now
         if self._run.begins(goal, moment, 1.5 * settings.period if settings.lockstep else None):
             self.goal_reached = False
@@ -196,7 +187,7 @@ class Controller:
         state.time[:] = self._run.time
         return self._with_map(state.nearest(settings.max_agents))
 
-    def _read_state(self, locate: Locate) -> CrowdState:
+    def _read_state(self) -> CrowdState:
         """Return the world as the inputs tell it, at their own times."""
         settings = self.settings
         odometry, pedestrians, obstacles, goal = map(
@@ -204,7 +195,7 @@ class Controller:
         )
         return crowd_state(
             odometry, goal, pedestrians, obstacles, settings.body, settings.planning_frame,
-            locate=locate,
+            locate=self._locate,
         )  # fmt: skip
 
     def _with_map(self, state: CrowdState) -> CrowdState:

@@ -1,18 +1,19 @@
-"""Between ROS messages and CrowdState: pure functions that refuse what cannot be true."""
+"""From ROS messages to CrowdState: pure functions that refuse what cannot be true."""
 
 import dataclasses
 import math
 
-from geometry_msgs.msg import Point, PoseStamped, Quaternion, Vector3
+from geometry_msgs.msg import PoseStamped, Quaternion
 from nav_msgs.msg import Odometry
 import numpy as np
 from std_msgs.msg import Header
 
 from socialnav.messages.frames import Locate, not_asked
-from socialnav.messages.stamps import header_message, nanoseconds_of
+from socialnav.messages.stamps import nanoseconds_of
 from socialnav_core.sensing import HERE, Pose
+from socialnav_core.simulation.kinematics.angles import rotated
 from socialnav_core.states import Agents, CrowdState, Robot
-from socialnav_msgs.msg import AgentState, AgentStates
+from socialnav_msgs.msg import AgentStates
 
 
 class ConversionError(ValueError):
@@ -31,26 +32,6 @@ class RobotBody:
     """Half-width of the square around the origin that must not be left, m."""
 
 
-def rotate(vector: np.ndarray, angle: float) -> np.ndarray:
-    """
-    Return a plane vector turned counter-clockwise.
-
-    :param vector: (2,).
-    :param angle: rad; the heading turns base_link into world, its negative the other way.
-    """
-    cosine, sine = math.cos(angle), math.sin(angle)
-    return np.array([cosine * vector[0] - sine * vector[1], sine * vector[0] + cosine * vector[1]])
-
-
-def quaternion_of(heading: float) -> Quaternion:
-    """
-    Return the rotation about the z axis.
-
-    :param heading: rad.
-    """
-    return Quaternion(z=math.sin(heading / 2), w=math.cos(heading / 2))
-
-
 def heading_of(name: str, rotation: Quaternion) -> float:
     """
     Return the heading of a rotation, rad in [-pi, pi].
@@ -63,77 +44,6 @@ def heading_of(name: str, rotation: Quaternion) -> float:
     if not abs(length - 1) < 0.01:
         raise ConversionError(f'{name}: orientation is no rotation (norm {length:.3g}, not 1)')
     return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
-
-
-def agents_message(state: CrowdState, static: bool, nanoseconds: int, frame: str) -> AgentStates:
-    """
-    Return the pedestrians, or the obstacles, of the first world.
-
-    :param state: the world; an agent's place in it is its id.
-    :param static: whether obstacles are meant.
-    :param nanoseconds: time of the state.
-    :param frame: frame of the state.
-    """
-    chosen = np.flatnonzero(state.agents.valid[0] & (state.agents.static[0] == static))
-    return AgentStates(
-        header=header_message(nanoseconds, frame),
-        agents=[agent_message(state, index) for index in chosen.tolist()],
-    )
-
-
-def agent_message(state: CrowdState, index: int) -> AgentState:
-    """
-    Return one agent of the first world.
-
-    :param state: the world.
-    :param index: place of the agent.
-    """
-    x, y = state.agents.position[0, index].tolist()
-    velocity_x, velocity_y = state.agents.velocity[0, index].tolist()
-    return AgentState(
-        id=index,
-        position=Point(x=x, y=y),
-        velocity=Vector3(x=velocity_x, y=velocity_y),
-        radius=float(state.agents.radius[0, index]),
-    )
-
-
-def odometry_message(
-    state: CrowdState, nanoseconds: int, frame: str, base_frame: str, turn_rate: float = 0.0
-) -> Odometry:
-    """
-    Return pose and velocity of the robot of the first world.
-
-    :param state: the world.
-    :param nanoseconds: time of the state.
-    :param frame: frame of the pose.
-    :param base_frame: frame of the twist, fixed to the robot.
-    :param turn_rate: of the robot, rad/s.
-    """
-    message = Odometry(header=header_message(nanoseconds, frame), child_frame_id=base_frame)
-    heading = float(state.robot.heading[0])
-    x, y = state.robot.position[0].tolist()
-    message.pose.pose.position = Point(x=x, y=y)
-    message.pose.pose.orientation = quaternion_of(heading)
-    velocity_x, velocity_y = rotate(state.robot.velocity[0], -heading).tolist()
-    message.twist.twist.linear = Vector3(x=velocity_x, y=velocity_y)
-    message.twist.twist.angular.z = turn_rate
-    return message
-
-
-def goal_message(state: CrowdState, nanoseconds: int, frame: str) -> PoseStamped:
-    """
-    Return the goal of the robot of the first world; its orientation means nothing.
-
-    :param state: the world.
-    :param nanoseconds: time of the goal.
-    :param frame: frame of the state.
-    """
-    message = PoseStamped(header=header_message(nanoseconds, frame))
-    x, y = state.robot.goal[0].tolist()
-    message.pose.position = Point(x=x, y=y)
-    message.pose.orientation.w = 1.0
-    return message
 
 
 def crowd_state(
@@ -201,7 +111,7 @@ def robot_arrays(
     position = finite('odom', 'position', [pose.position.x, pose.position.y])
     velocity = finite('odom', 'velocity', [linear.x, linear.y])
     finite('odom', 'turn rate', [odometry.twist.twist.angular.z])
-    return placement.placed(position), rotate(velocity, heading), heading
+    return placement.placed(position), rotated(velocity, heading), heading
 
 
 def goal_array(goal: PoseStamped, frame: str, locate: Locate = not_asked) -> np.ndarray:

@@ -4,7 +4,7 @@ import array
 from collections.abc import Callable
 from typing import Any
 
-from geometry_msgs.msg import Point, PoseArray, Quaternion, Vector3
+from geometry_msgs.msg import Point, PoseArray, Quaternion
 from geometry_msgs.msg import Pose as PoseMessage
 import numpy as np
 from sensor_msgs.msg import LaserScan
@@ -12,9 +12,11 @@ from std_msgs.msg import Header
 
 from socialnav.messages.conversions import ConversionError, finite
 from socialnav.messages.detection_types import DetectionType
+from socialnav.messages.filling import filled
 from socialnav.messages.stamps import header_message
+from socialnav_core.messages import agent_states_of, header
 from socialnav_core.sensing import Pose, scan_returns, Tracks
-from socialnav_msgs.msg import AgentState, AgentStates
+from socialnav_msgs.msg import AgentStates
 
 Located = Callable[[Header], Pose]
 """Returns the pose of a header's frame at its time; raises a ConversionError where unknown."""
@@ -89,40 +91,28 @@ def detection_points(message: Any, kind: DetectionType, locate: Located) -> np.n
     return locate(message.header).placed(points.reshape(-1, 2))
 
 
-def tracks_message(tracks: Tracks, radius: float, header: Header) -> AgentStates:
+def tracks_message(tracks: Tracks, radius: float, nanoseconds: int, frame: str) -> AgentStates:
     """
     Return who is there.
 
-    :param tracks: their positions and velocities.
     :param radius: of everybody, m.
-    :param header: time and frame of the tracks.
     """
-    agents = [
-        AgentState(
-            id=number % 2**32,
-            position=Point(x=x, y=y),
-            velocity=Vector3(x=velocity_x, y=velocity_y),
-            radius=radius,
-        )
-        for number, (x, y), (velocity_x, velocity_y) in zip(
-            tracks.id.tolist(), tracks.position.tolist(), tracks.velocity.tolist(), strict=True
-        )
-    ]
-    return AgentStates(header=header, agents=agents)
+    radii = np.full(len(tracks.id), radius)
+    content = agent_states_of(
+        header(nanoseconds, frame), tracks.id % 2**32, tracks.position, tracks.velocity, radii
+    )
+    return filled(AgentStates, content)
 
 
-def discs_message(centres: np.ndarray, radii: np.ndarray, header: Header) -> AgentStates:
+def discs_message(
+    centres: np.ndarray, radii: np.ndarray, nanoseconds: int, frame: str
+) -> AgentStates:
     """
     Return what stands; the id of a disc is its place, and tells nothing later.
 
     :param centres: m, (discs, 2).
     :param radii: m, (discs,).
-    :param header: time and frame of the discs.
     """
-    agents = [
-        AgentState(id=number, position=Point(x=x, y=y), radius=radius)
-        for number, ((x, y), radius) in enumerate(
-            zip(centres.tolist(), radii.tolist(), strict=True)
-        )
-    ]
-    return AgentStates(header=header, agents=agents)
+    ids, still = np.arange(len(radii)), np.zeros_like(centres)
+    content = agent_states_of(header(nanoseconds, frame), ids, centres, still, radii)
+    return filled(AgentStates, content)

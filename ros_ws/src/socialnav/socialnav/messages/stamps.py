@@ -3,6 +3,9 @@
 from builtin_interfaces.msg import Time
 from std_msgs.msg import Header
 
+from socialnav.messages.filling import filled
+from socialnav_core.messages.parts import header, time
+
 
 def time_message(nanoseconds: int) -> Time:
     """
@@ -10,23 +13,14 @@ def time_message(nanoseconds: int) -> Time:
 
     :param nanoseconds: since the epoch of the clock.
     """
-    return Time(sec=nanoseconds // 10**9, nanosec=nanoseconds % 10**9)
+    return filled(Time, time(nanoseconds))
 
 
 def nanoseconds_of(stamp: Time) -> int:
-    """
-    Return a stamp in nanoseconds, exactly.
-
-    :param stamp: the time of a header.
-    """
+    """Return a stamp in nanoseconds, exactly."""
     return stamp.sec * 10**9 + stamp.nanosec
 
 
 def header_message(nanoseconds: int, frame: str) -> Header:
-    """
-    Return a header.
-
-    :param nanoseconds: its time.
-    :param frame: its frame.
-    """
-    return Header(stamp=time_message(nanoseconds), frame_id=frame)
+    """Return a header."""
+    return filled(Header, header(nanoseconds, frame))

@@ -1,18 +1,16 @@
 """Messages that are read only when somebody wants to know what they say."""
 
+from collections.abc import Callable
 import dataclasses
 from typing import Any
-
-from rclpy._rclpy_pybind11 import RMWError
-from rclpy.serialization import deserialize_message
 
 
 @dataclasses.dataclass(frozen=True)
 class Unread:
     """A message as it came; many are replaced by newer ones before they matter."""
 
-    kind: type
-    """Type of the message."""
+    read: Callable[[bytes], Any]
+    """Returns what the message says, or None where it cannot be read."""
     data: bytes
     """The message, serialized."""
 
@@ -23,9 +21,4 @@ def content(message: Any) -> Any:
 
     :param message: Unread, or a message already, or None.
     """
-    if not isinstance(message, Unread):
-        return message
-    try:
-        return deserialize_message(message.data, message.kind)
-    except RMWError:
-        return None
+    return message.read(message.data) if isinstance(message, Unread) else message

@@ -10,7 +10,7 @@ from socialnav.messages.conversions import agent_arrays, ConversionError, placem
 from socialnav.messages.frames import not_asked
 from socialnav.messages.grids import cells_of, corner_of, grid_points, HALF_DIAGONAL
 from socialnav.messages.sensor_messages import discs_message, scan_points
-from socialnav.messages.stamps import header_message, nanoseconds_of
+from socialnav.messages.stamps import nanoseconds_of
 from socialnav.perception.locating import Locator
 from socialnav_core.sensing import Pose, SurfaceSettings, surrounding_discs
 from socialnav_msgs.msg import AgentStates
@@ -105,8 +105,7 @@ class ObstacleFinder:
         values = self.values
         settings = SurfaceSettings(**{name: values[name] for name in SETTINGS})
         discs = surrounding_discs(points, robot.position, *self._people_at(stamp), settings, depth)
-        header = header_message(stamp, self.locator.planning_frame)
-        return discs_message(*discs, header)
+        return discs_message(*discs, stamp, self.locator.planning_frame)
 
     def _people_at(self, stamp: int) -> tuple[np.ndarray, np.ndarray]:
         """Return where known people are by then, (people, 2), and their radii; none if unknown."""

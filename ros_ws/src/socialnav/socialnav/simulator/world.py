@@ -1,46 +1,17 @@
 """The simulated world behind the topics: case after case, on one clock, in either mode of time."""
 
-import dataclasses
 from typing import Any
 
 import numpy as np
 
 from socialnav_core.config import Scenario
+from socialnav_core.messages import EpisodeEnd
 from socialnav_core.simulation import Outcome, Simulator
 from socialnav_core.simulation.kinematics import kinematics_of
 
 BREAK = 10**9
 """Simulated time between two episodes, ns: longer than any step, so that a listener sees it."""
 TIME_TOLERANCE = 1e-9
-OUTCOMES = {
-    Outcome.GOAL: 'goal',
-    Outcome.COLLISION_PEDESTRIAN: 'collision',
-    Outcome.COLLISION_OBSTACLE: 'collision',
-    Outcome.OUT_OF_BOUNDS: 'out_of_bounds',
-    Outcome.TIMEOUT: 'timeout',
-}
-
-
-@dataclasses.dataclass(frozen=True)
-class Episode:
-    """How an episode ended; the fields of EpisodeResult but for the header."""
-
-    scenario: str
-    """Name of the world."""
-    seed: int
-    """Seed of the cases."""
-    case_index: int
-    """Which case it was."""
-    outcome: str
-    """goal, collision, out_of_bounds or timeout."""
-    time: float
-    """Duration, s."""
-    path_length: float
-    """Way that the robot went, m."""
-    minimum_clearance: float
-    """Least gap to any agent, m; inf where there was none."""
-    steps: int
-    """Number of steps of the simulation."""
 
 
 class World:
@@ -63,7 +34,7 @@ class World:
         """
         self.clock = clock
         self.fresh = True
-        self.episode: Episode | None = None
+        self.episode: EpisodeEnd | None = None
         self.paused = False
         self.command_timeout = np.inf
         self._episodes = episodes
@@ -166,13 +137,13 @@ class World:
         heading = float(self.state.robot.heading[0])
         return kinematics_of(self.scenario.kinematics).from_base(self._command, heading)
 
-    def _ended(self, info: dict[str, Any]) -> Episode:
+    def _ended(self, info: dict[str, Any]) -> EpisodeEnd:
         """Return the record of the episode that the latest step ended."""
-        return Episode(
+        return EpisodeEnd(
             scenario=self.scenario.name,
             seed=self.seed,
             case_index=int(info['case_index'][0]),
-            outcome=OUTCOMES[Outcome(int(info['outcome'][0]))],
+            outcome=Outcome(int(info['outcome'][0])).name.lower(),
             time=float(info['time'][0]),
             path_length=float(info['path_length'][0]),
             minimum_clearance=float(info['minimum_clearance'][0]),

@@ -3,10 +3,13 @@
 import dataclasses
 from typing import Any
 
-from socialnav.messages.conversions import agents_message, goal_message, odometry_message
-from socialnav.messages.stamps import header_message
-from socialnav.simulator.world import Episode, World
-from socialnav_msgs.msg import EpisodeResult
+from geometry_msgs.msg import PoseStamped
+from nav_msgs.msg import Odometry
+
+from socialnav.messages.filling import filled
+from socialnav.simulator.world import World
+from socialnav_core.messages import agent_states, goal, odometry
+from socialnav_msgs.msg import AgentStates
 
 
 @dataclasses.dataclass(frozen=True)
@@ -25,14 +28,12 @@ def moving_messages(world: World, nanoseconds: int, frames: Frames) -> dict[str,
     """
     Return the messages that every state needs, by topic.
 
-    :param world: as it is.
     :param nanoseconds: time of its state.
-    :param frames: names of the frames.
     """
-    state, rate = world.state, world.turn_rate
+    state, now = world.state, (nanoseconds, frames.odom)
     return {
-        'pedestrians': agents_message(state, False, nanoseconds, frames.odom),
-        'odom': odometry_message(state, nanoseconds, frames.odom, frames.base, rate),
+        'pedestrians': filled(AgentStates, agent_states(state, False, *now)),
+        'odom': filled(Odometry, odometry(state, *now, frames.base, world.turn_rate)),
     }
 
 
@@ -40,23 +41,10 @@ def standing_messages(world: World, nanoseconds: int, frames: Frames) -> dict[st
     """
     Return the messages of what stays as it is during an episode, by topic.
 
-    :param world: as it is.
     :param nanoseconds: time of its state.
-    :param frames: names of the frames.
     """
+    state, now = world.state, (nanoseconds, frames.odom)
     return {
-        'goal_pose': goal_message(world.state, nanoseconds, frames.odom),
-        'obstacles': agents_message(world.state, True, nanoseconds, frames.odom),
+        'goal_pose': filled(PoseStamped, goal(state, *now)),
+        'obstacles': filled(AgentStates, agent_states(state, True, *now)),
     }
-
-
-def result_message(episode: Episode, nanoseconds: int, frames: Frames) -> EpisodeResult:
-    """
-    Return how an episode ended.
-
-    :param episode: the record.
-    :param nanoseconds: time of its end.
-    :param frames: names of the frames.
-    """
-    header = header_message(nanoseconds, frames.odom)
-    return EpisodeResult(header=header, **dataclasses.asdict(episode))
