@@ -23,7 +23,7 @@ from socialnav.messages.frames import not_asked
 from socialnav.messages.reading import message_in
 from socialnav.messages.transforms import Transforms
 from socialnav.messages.unread import Unread
-from socialnav.parameters import fixed_values, POLICY_PARAMETERS
+from socialnav.parameters.policy import PolicyParameters
 from socialnav.policy_outputs import PolicyOutputs
 from socialnav.realtime.alarm import Alarm
 from socialnav.realtime.clocks import pacing_clock
@@ -36,21 +36,20 @@ class Driver:
     """Stores what comes in, decides at each tick or complete state, publishes the command."""
 
     def __init__(
-        self, node: LifecycleNode, values: dict[str, Any], on_change: Callable[[], None]
+        self, node: LifecycleNode, parameters: PolicyParameters, on_change: Callable[[], None]
     ) -> None:
         """
         Load the model and listen.
 
         :param node: whose topics they are.
-        :param values: all parameters.
         :param on_change: called when the reason for standing is another one.
         :raises ValueError: parameters or a model that cannot be used.
         """
-        self.made_for = fixed_values(POLICY_PARAMETERS, values)
-        settings = controller_settings(values)
+        self.made_for = parameters
+        settings = controller_settings(parameters)
         self.transforms = Transforms(node)
         locate = not_asked if settings.lockstep else self.transforms.locate
-        self.controller = Controller(ready_policy(values, settings), settings, locate=locate)
+        self.controller = Controller(ready_policy(settings), settings, locate=locate)
         self.running = False
         self.lockstep = settings.lockstep
         self.node = node
@@ -58,7 +57,7 @@ class Driver:
         self.expiry: Alarm | None = None
         self.watchdog: Watchdog | None = None
         self.punctuality = Punctuality(settings.period)
-        self.outputs = PolicyOutputs(node, self.controller, values, on_change)
+        self.outputs = PolicyOutputs(node, self.controller, on_change)
         self.create_inputs()
 
     def create_inputs(self) -> None:
@@ -91,13 +90,9 @@ class Driver:
             callback = partial(self.on_unread, name, partial(message_in, kind))
         return self.node.create_subscription(kind, name, callback, profile, raw=raw)
 
-    def start(self, values: dict[str, Any]) -> None:
-        """
-        Begin to drive.
-
-        :param values: all parameters.
-        """
-        self.use(values)
+    def start(self, parameters: PolicyParameters) -> None:
+        """Begin to drive."""
+        self.use(parameters)
         self.running = True
         self.outputs.begin()
         if not self.lockstep:
@@ -108,13 +103,9 @@ class Driver:
             self.expiry = Alarm(self.node, self.on_expiry, clock)
             self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
 
-    def use(self, values: dict[str, Any]) -> None:
-        """
-        Use other parameters from now on.
-
-        :param values: all parameters.
-        """
-        self.controller.settings = controller_settings(values)
+    def use(self, parameters: PolicyParameters) -> None:
+        """Use other parameters from now on."""
+        self.controller.settings = controller_settings(parameters)
         if self.watchdog is not None:  # another one, which has not been fed by that
             self.watchdog.stop()
             timeout = self.controller.settings.stall_timeout
@@ -236,6 +227,6 @@ class Driver:
         """Return what diagnostics tell."""
         ages = self.controller.input_ages(self.node.get_clock().now().nanoseconds)
         controller = self.controller
-        model, plan = self.made_for['model'], controller.plan.note
+        model, plan = self.made_for.model, controller.plan.note
         facts = controller_facts(model, plan, ages, controller.tally)
         return facts | self.punctuality.facts()

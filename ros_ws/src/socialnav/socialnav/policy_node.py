@@ -5,11 +5,14 @@ import sys
 from diagnostic_msgs.msg import DiagnosticArray
 from rclpy.clock import Clock, ClockType
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
+from rclpy.parameter import Parameter
 
 from socialnav import qos
 from socialnav.control.diagnostics import diagnostics_message
 from socialnav.driver import Driver
-from socialnav.parameters import declare, fixed_values, POLICY_PARAMETERS
+from socialnav.parameters.declaring import declare, updated
+from socialnav.parameters.fields import same_but_live
+from socialnav.parameters.policy import PolicyParameters
 from socialnav.realtime.memory import set_aside
 from socialnav.running import run
 
@@ -33,33 +36,25 @@ class PolicyNode(LifecycleNode):
         self.label, self.problem = 'unconfigured', None
         self.health = self.create_publisher(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
         self.create_timer(DIAGNOSIS_PERIOD, self.diagnose, clock=Clock(clock_type=STEADY))
-        self.values = declare(self, POLICY_PARAMETERS, self.drives)
+        self.settings = declare(self, PolicyParameters, self.drives)
         self.add_post_set_parameters_callback(self.on_parameters)
-        if self.values['autostart'] and self.trigger_configure() == SUCCESS:
+        if self.settings.autostart and self.trigger_configure() == SUCCESS:
             self.trigger_activate()
 
     def drives(self) -> bool:
         """Return whether the robot is being commanded."""
         return self.driver is not None and self.driver.running
 
-    def on_parameters(self, parameters: list) -> None:
-        """
-        Use parameters that were changed: at once while driving, else from the next activation.
-
-        :param parameters: of rclpy.
-        """
-        self.values.update({one.name: one.value for one in parameters})
+    def on_parameters(self, changes: list[Parameter]) -> None:
+        """Use what was changed: at once while driving, else from the next activation."""
+        self.settings = updated(self.settings, changes)
         if self.drives():
-            self.driver.use(self.values)
+            self.driver.use(self.settings)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Load the model and listen; say why where that is impossible.
-
-        :param state: the state before.
-        """
+        """Load the model and listen; say why where that is impossible."""
         try:
-            self.driver = Driver(self, self.values, self.diagnose)
+            self.driver = Driver(self, self.settings, self.diagnose)
         except Exception as error:  # rclpy would swallow it without a word
             kind = '' if isinstance(error, ValueError) else f'{type(error).__name__}: '
             self.problem = f'not configured: {kind}{error}'
@@ -69,69 +64,44 @@ class PolicyNode(LifecycleNode):
         return super().on_configure(state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Begin to drive, with another model or other frames where they have been changed.
-
-        :param state: the state before.
-        """
-        fixed = fixed_values(POLICY_PARAMETERS, self.values)
-        if self.driver is None or self.driver.made_for != fixed:
+        """Begin to drive, with another model or other frames where they have been changed."""
+        if self.driver is None or not same_but_live(self.driver.made_for, self.settings):
             self.release()
             if self.on_configure(state) != SUCCESS:
                 return FAILURE
         result = super().on_activate(state)
         set_aside()
-        self.driver.start(self.values)
+        self.driver.start(self.settings)
         self.enter('active')
         return result
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Stop the robot, then fall silent.
-
-        :param state: the state before.
-        """
+        """Stop the robot, then fall silent."""
         self.driver.stop()
         self.enter('inactive')
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Forget model and inputs.
-
-        :param state: the state before.
-        """
+        """Forget model and inputs."""
         self.release()
         self.enter('unconfigured')
         return super().on_cleanup(state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Stop the robot, if it drives, for good.
-
-        :param state: the state before.
-        """
+        """Stop the robot, if it drives, for good."""
         self.release()
         self.enter('finalized')
         return super().on_shutdown(state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Stop the robot after a transition that broke; the node is unconfigured then.
-
-        :param state: the state before.
-        """
+        """Stop the robot after a transition that broke; the node is unconfigured then."""
         self.get_logger().error(f'a transition from {state.label} broke')
         self.release()
         self.enter('unconfigured')
         return super().on_error(state)
 
     def enter(self, label: str) -> None:
-        """
-        Remember a state of the life cycle.
-
-        :param label: its name.
-        """
+        """Remember a state of the life cycle."""
         self.label, self.problem = label, None
         self.diagnose()
 

@@ -4,14 +4,13 @@ import dataclasses
 import os
 from pathlib import Path
 import re
-from typing import Any
 
 from ament_index_python.packages import get_package_share_directory
 import numpy as np
 import torch
 
-from socialnav.control.settings import ControllerSettings
 from socialnav.messages.conversions import RobotBody
+from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.config import ConfigError
 from socialnav_core.policies import load_policy, Policy, ValuePolicy
 from socialnav_core.states import Agents, CrowdState, Robot
@@ -23,49 +22,46 @@ NAME = re.compile(r'\w[\w.-]*')
 SCREENING = {'checkpoint': None, 'enabled': True, 'disabled': False}
 
 
-def ready_policy(values: dict[str, Any], settings: ControllerSettings) -> Policy:
+def ready_policy(settings: PolicyParameters) -> Policy:
     """
     Return a policy that has decided once, so that its first real decision is not a slow one.
 
-    :param values: all parameters of the policy node.
-    :param settings: what the robot is like.
     :raises ValueError: no such model, a damaged one, or one for another kind of robot.
     """
-    torch.set_num_threads(values['threads'])
+    torch.set_num_threads(settings.threads)
     policy = load_policy(
-        installed(values['model']),
-        lookahead=None if values['model'] in BASELINES else 'constant_velocity',
-        screening=SCREENING[values['screening']],
+        installed(settings.model),
+        lookahead=None if settings.model in BASELINES else 'constant_velocity',
+        screening=SCREENING[settings.screening],
     )
     if policy.kinematics != settings.kinematics:
         raise ConfigError(
-            f'model {values["model"]} drives a {policy.kinematics} robot, not a '
+            f'model {settings.model} drives a {policy.kinematics} robot, not a '
             f'{settings.kinematics} one: change the parameter kinematics or the model'
         )
-    equip(policy, values)
+    equip(policy, settings)
     policy.act(example_state(settings.body))
     policy.reset()
     return policy
 
 
-def equip(policy: Policy, values: dict[str, Any]) -> None:
+def equip(policy: Policy, settings: PolicyParameters) -> None:
     """
     Give a policy the screening horizon and the device that are asked for.
 
     :param policy: has just been loaded.
-    :param values: all parameters of the policy node.
     :raises ConfigError: a policy without a network is asked for either, or there is no GPU.
     """
-    horizon, on_gpu = values['screening_horizon'], values['device'] == 'cuda'
+    horizon, on_gpu = settings.screening_horizon, settings.device == 'cuda'
     if not isinstance(policy, ValuePolicy):
         if horizon or on_gpu:
             raise ConfigError(
-                f'{values["model"]} has no network: leave screening_horizon at 0 and device at cpu'
+                f'{settings.model} has no network: leave screening_horizon at 0 and device at cpu'
             )
         return
     if on_gpu and not torch.cuda.is_available():
         raise ConfigError('device cuda needs a CUDA GPU and a CUDA build of torch; use cpu')
-    policy.network.to(values['device'])
+    policy.network.to(settings.device)
     if horizon:
         screening = dataclasses.replace(policy.config.screening, horizon=horizon)
         policy.config = dataclasses.replace(policy.config, screening=screening)

@@ -7,7 +7,7 @@ from rclpy.experimental import EventsExecutor
 from rclpy.lifecycle import LifecycleNode
 
 from socialnav.driver import Driver
-from socialnav.parameters import declare, POLICY_PARAMETERS
+from socialnav.parameters.policy import PolicyParameters
 
 PERIOD = 0.4
 
@@ -17,14 +17,13 @@ class Ticking:
 
     def __init__(self):
         self.node = LifecycleNode('driving')
-        values = declare(self.node, POLICY_PARAMETERS, lambda: False)
-        values |= {'model': 'orca', 'controller_frequency': 1 / PERIOD}
-        self.driver = Driver(self.node, values, lambda: None)
+        parameters = PolicyParameters(model='orca', controller_frequency=1 / PERIOD)
+        self.driver = Driver(self.node, parameters, lambda: None)
         self.executor = EventsExecutor()
         self.executor.add_node(self.node)
         self.lateness = []
         self.driver.on_tick = self.lateness.append
-        self.driver.start(values)
+        self.driver.start(parameters)
 
     def spin(self, duration):
         """Serve the driver for some time."""
