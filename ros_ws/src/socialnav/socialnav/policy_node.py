@@ -33,51 +33,61 @@ class PolicyNode(LifecycleNode):
         """
         super().__init__('policy_node')
         self.driver: Driver | None = None
-        self.label, self.problem = 'unconfigured', None
+        self.label = 'unconfigured'
+        self.problem: str | None = None
         self.health = self.create_publisher(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
         self.create_timer(DIAGNOSIS_PERIOD, self.diagnose, clock=Clock(clock_type=STEADY))
-        self.settings = declare(self, PolicyParameters, self.drives)
+        self.settings = declare(self, PolicyParameters, lambda: self.driving() is not None)
         self.add_post_set_parameters_callback(self.on_parameters)
         if self.settings.autostart and self.trigger_configure() == SUCCESS:
             self.trigger_activate()
 
-    def drives(self) -> bool:
-        """Return whether the robot is being commanded."""
-        return self.driver is not None and self.driver.running
+    def driving(self) -> Driver | None:
+        """Return the driver while it commands the robot."""
+        return self.driver if self.driver is not None and self.driver.running else None
 
     def on_parameters(self, changes: list[Parameter]) -> None:
         """Use what was changed: at once while driving, else from the next activation."""
         self.settings = updated(self.settings, changes)
-        if self.drives():
-            self.driver.use(self.settings)
+        if (driver := self.driving()) is not None:
+            driver.use(self.settings)
 
-    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Load the model and listen; say why where that is impossible."""
+    def prepared(self) -> Driver | None:
+        """Return a driver that has its model and listens; say why where that is impossible."""
         try:
-            self.driver = Driver(self, self.settings, self.diagnose)
+            return Driver(self, self.settings, self.diagnose)
         except Exception as error:  # rclpy would swallow it without a word
             kind = '' if isinstance(error, ValueError) else f'{type(error).__name__}: '
             self.problem = f'not configured: {kind}{error}'
             self.get_logger().error(self.problem)
+            return None
+
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Load the model and listen."""
+        self.driver = self.prepared()
+        if self.driver is None:
             return FAILURE
         self.enter('inactive')
         return super().on_configure(state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Begin to drive, with another model or other frames where they have been changed."""
-        if self.driver is None or not same_but_live(self.driver.made_for, self.settings):
+        driver = self.driver
+        if driver is None or not same_but_live(driver.made_for, self.settings):
             self.release()
-            if self.on_configure(state) != SUCCESS:
-                return FAILURE
+            driver = self.driver = self.prepared()
+        if driver is None:
+            return FAILURE
         result = super().on_activate(state)
         set_aside()
-        self.driver.start(self.settings)
+        driver.start(self.settings)
         self.enter('active')
         return result
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Stop the robot, then fall silent."""
-        self.driver.stop()
+        if self.driver is not None:
+            self.driver.stop()
         self.enter('inactive')
         return super().on_deactivate(state)
 
@@ -107,7 +117,8 @@ class PolicyNode(LifecycleNode):
 
     def diagnose(self) -> None:
         """Publish how the node is."""
-        reason = self.problem if not self.drives() else self.driver.outputs.reason
+        driving = self.driving()
+        reason = self.problem if driving is None else driving.outputs.reason
         facts = {} if self.driver is None else self.driver.facts()
         rivals = [] if self.driver is None else self.driver.outputs.rivals()
         now = self.get_clock().now().nanoseconds

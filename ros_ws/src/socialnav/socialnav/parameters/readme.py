@@ -33,14 +33,11 @@ def with_tables(readme: str) -> str:
     :raises ValueError: a section or its table is missing.
     """
     for name, kind in KINDS.items():
-        section = re.compile(
-            rf'(?P<before>^## {name}\n(?:(?!## ).*\n)*?){re.escape(HEADING)}(?:\|.*\n)*',
-            re.MULTILINE,
-        )
-        filled = section.sub(lambda found, kind=kind: found['before'] + table(kind), readme)
-        if not section.search(readme):
+        pattern = rf'^## {name}\n(?:(?!## ).*\n)*?({re.escape(HEADING)}(?:\|.*\n)*)'
+        found = re.search(pattern, readme, re.MULTILINE)
+        if found is None:
             raise ValueError(f'no table of parameters below the heading {name}')
-        readme = filled
+        readme = readme[: found.start(1)] + table(kind) + readme[found.end(1) :]
     return readme
 
 

@@ -22,7 +22,7 @@ class Ticking:
         self.executor = EventsExecutor()
         self.executor.add_node(self.node)
         self.lateness = []
-        self.driver.on_tick = self.lateness.append
+        self.driver.on_tick = lambda _, lateness: self.lateness.append(lateness)
         self.driver.start(parameters)
 
     def spin(self, duration):
@@ -50,7 +50,7 @@ def test_ticks_keep_their_period_though_alarms_are_set_while_one_is_due(ticking)
     ticking.spin(0.5 * PERIOD)
     time.sleep(PERIOD)
     for _ in range(3):
-        ticking.driver.expiry.set(60.0)
+        ticking.driver.pace.expiry.set(60.0)
     ticking.spin(5 * PERIOD)
     assert len(ticking.lateness) >= 5
     assert min(ticking.lateness) >= 0.0

@@ -3,12 +3,12 @@
 import math
 import subprocess
 
-from driving import Drive
-from managed import change_parameter, change_parameters, TEXT
+from helpers.driving import Drive
+from helpers.managed import change_parameter, change_parameters, TEXT
+from helpers.worlds import random_state
 import pytest
 from rcl_interfaces.srv import GetParameters
 from rclpy.parameter import parameter_value_to_python
-from worlds import random_state
 import yaml
 
 from socialnav.parameters.declaring import updated
@@ -73,7 +73,9 @@ def test_a_node_starts_from_a_dump(graph, tmp_path):
     before = dumped('policy_node', path)
     graph.kill(first)
     graph.wait(lambda: 'policy_node' not in graph.node.get_node_names(), 'end of the node')
-    graph.run(['ros2', 'run', 'socialnav', 'policy_node', '--ros-args', '--params-file', str(path)])
+    graph.run(
+        ['ros2', 'run', 'socialnav', 'policy_node', '--ros-args', '--params-file', str(path)]
+    )
     graph.wait(lambda: 'policy_node' in graph.node.get_node_names(), 'node')
     assert dumped('policy_node', tmp_path / 'after.yaml') == before
 
