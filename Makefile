@@ -40,8 +40,9 @@ bench: setup  ## speed, as ratios against a plain reference in the same run
 train: setup  ## train the default model from its config
 	.venv/bin/socialnav train socialnav_core/config/recipes/sarl.yaml --out out/sarl
 
-docs: setup  ## regenerate the model cards from their metrics
+docs: build  ## regenerate the model cards, and the tables of parameters in the nodes' README
 	.venv/bin/socialnav models --cards
+	@$(RUN) python -m socialnav.parameters.readme ros_ws/src/socialnav/README.md
 
 clean:  ## remove what was installed and built; what was trained or written to out/ stays
 	rm -rf .venv ros_ws/build ros_ws/install ros_ws/log *.egg-info .mypy_cache .pytest_cache .ruff_cache

@@ -1,5 +1,6 @@
 """Laws of the container files: what they name exists, and the containers hear only each other."""
 
+import ast
 from pathlib import Path
 import re
 
@@ -12,11 +13,11 @@ SERVICES = yaml.safe_load((ROOT / 'docker' / 'compose.yaml').read_text())['servi
 DOCKERFILE = (ROOT / 'docker' / 'Dockerfile').read_text()
 
 
-def table(name):
-    """Return the names in a table of parameters of the nodes."""
-    text = (PACKAGE / 'socialnav' / 'parameters.py').read_text()
-    rows = re.search(rf'^{name} = \($(.*?)^\)', text, re.MULTILINE | re.DOTALL).group(1)
-    return set(re.findall(r"Entry\(\s*'(\w+)'", rows))
+def parameters_of(name):
+    """Return the names of the parameters of a node."""
+    tree = ast.parse((PACKAGE / 'socialnav' / 'parameters' / f'{name}.py').read_text())
+    (kind,) = (one for one in tree.body if isinstance(one, ast.ClassDef))
+    return {one.target.id for one in kind.body if isinstance(one, ast.AnnAssign)}
 
 
 @pytest.mark.parametrize('name', ['simulator', 'policy'])
@@ -26,7 +27,7 @@ def test_a_service_runs_a_node_with_parameters_that_it_has(name):
     assert f"'{executable} = socialnav." in (PACKAGE / 'setup.py').read_text()
     parameters = {one.split(':=')[0] for one in arguments if ':=' in one}
     assert parameters
-    assert parameters <= table(f'{name.upper()}_PARAMETERS')
+    assert parameters <= parameters_of(name)
 
 
 def test_the_policy_hears_the_simulator_and_nobody_else_does():

@@ -9,7 +9,7 @@ import sys
 GROUPS = {
     'lifecycle': 'list managed nodes, show and change their states',
     'node': 'list the nodes of the graph, show what one offers and uses',
-    'param': 'list, print, change and describe parameters',
+    'param': 'list, print, change, describe, dump and load parameters',
     'run': 'run an executable of a package',
     'service': 'list and call services',
     'topic': 'list, describe, print, measure and publish topics',

@@ -8,7 +8,7 @@ from rclpy.node import Node
 from rclpy.parameter import get_parameter_value
 import yaml
 
-from small_ros2 import param_describe
+from small_ros2 import param_describe, param_dump, param_load
 from small_ros2.clients import absolute, ask, full_names
 from small_ros2.command import CommandError
 from small_ros2.graph import look, probe
@@ -38,9 +38,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     verb.add_argument('parameter_name', help='name of the parameter')
     verb.add_argument('value', help='as YAML, for instance 0.5 or [1, 2]')
     verb.set_defaults(command=set_parameter)
-    param_describe.add_arguments(
-        verbs.add_parser('describe', help='print what is known of a parameter')
-    )
+    for name, module, summary in (
+        ('describe', param_describe, 'print what is known of a parameter'),
+        ('dump', param_dump, 'print all parameters of a node as a file has them'),
+        ('load', param_load, 'give a node the parameters of a file'),
+    ):
+        module.add_arguments(verbs.add_parser(name, help=summary))
 
 
 def list_parameters(options: argparse.Namespace) -> None:

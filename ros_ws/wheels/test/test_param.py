@@ -1,6 +1,8 @@
 """Laws of `ros2 param`."""
 
-from command_line import output, refusal
+from pathlib import Path
+
+from command_line import output, refusal, ros2
 from graph_under_test import Talker
 import pytest
 from rclpy.parameter import get_parameter_value
@@ -8,6 +10,7 @@ from small_ros2 import clients
 from small_ros2.command import CommandError
 from small_ros2.param import value_text
 from small_ros2.param_describe import descriptors
+import yaml
 
 pytestmark = pytest.mark.usefixtures('talker')
 
@@ -43,6 +46,43 @@ def test_the_description_tells_type_meaning_and_range() -> None:
         '    Min value: 0.0\n'
         '    Max value: 2.0\n'
     )
+
+
+def test_a_dump_is_a_file_of_parameters() -> None:
+    values = yaml.safe_load(output('param', 'dump', 'crowd/talker'))['/crowd/talker']
+    assert (
+        values['ros__parameters'].items() >= {'waypoints': [1, 2], 'use_sim_time': False}.items()
+    )
+    assert 'speed' in values['ros__parameters']
+
+
+def test_what_was_loaded_is_the_value_that_is_read_and_a_refusal_is_told(tmp_path: Path) -> None:
+    file = tmp_path / 'parameters.yaml'
+    file.write_text(
+        '/**: {ros__parameters: {speed: 0.1, waypoints: [9.0]}}\n'
+        '/crowd/talker: {ros__parameters: {speed: 1.75}}\n'
+    )
+    result = ros2('param', 'load', '/crowd/talker', str(file))
+    assert (result.returncode, result.stdout) == (0, 'Set parameter speed successful\n')
+    assert result.stderr.startswith('Set parameter waypoints failed: Wrong parameter type')
+    assert output('param', 'get', '/crowd/talker', 'speed') == 'Double value is: 1.75\n'
+    assert 'waypoints' not in output(
+        'param', 'load', '/crowd/talker', str(file), '--no-use-wildcard'
+    )
+
+
+@pytest.mark.parametrize(
+    'text', ['/other: {ros__parameters: {}}', '/crowd/talker: 3', '3', '{', '']
+)
+def test_a_file_without_parameters_of_the_node_is_refused(text: str, tmp_path: Path) -> None:
+    file = tmp_path / 'parameters.yaml'
+    file.write_text(text)
+    error = refusal('param', 'load', '/crowd/talker', str(file))
+    assert 'cannot be loaded' in error and '\n' not in error
+
+
+def test_a_file_that_is_not_there_is_refused() -> None:
+    assert 'No such file' in refusal('param', 'load', '/crowd/talker', 'nowhere.yaml')
 
 
 def test_a_node_that_is_not_there_is_refused(

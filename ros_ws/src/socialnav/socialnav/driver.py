@@ -1,6 +1,7 @@
 """What a configured policy node does: inputs are stored, the timer decides."""
 
 from collections.abc import Callable
+import dataclasses
 from functools import partial
 import time
 from typing import Any
@@ -23,7 +24,7 @@ from socialnav.messages.frames import not_asked
 from socialnav.messages.reading import message_in
 from socialnav.messages.transforms import Transforms
 from socialnav.messages.unread import Unread
-from socialnav.parameters import fixed_values, POLICY_PARAMETERS
+from socialnav.parameters.policy import PolicyParameters
 from socialnav.policy_outputs import PolicyOutputs
 from socialnav.realtime.alarm import Alarm
 from socialnav.realtime.clocks import pacing_clock
@@ -32,33 +33,42 @@ from socialnav.realtime.watchdog import Watchdog
 from socialnav_msgs.msg import AgentStates
 
 
+@dataclasses.dataclass(frozen=True)
+class Pace:
+    """What makes a driver in real time act while it drives."""
+
+    timer: Timer
+    """Calls for each decision."""
+    expiry: Alarm
+    """Rings when an input becomes too old."""
+    watchdog: Watchdog
+    """Barks when decisions stay away."""
+
+
 class Driver:
     """Stores what comes in, decides at each tick or complete state, publishes the command."""
 
     def __init__(
-        self, node: LifecycleNode, values: dict[str, Any], on_change: Callable[[], None]
+        self, node: LifecycleNode, parameters: PolicyParameters, on_change: Callable[[], None]
     ) -> None:
         """
         Load the model and listen.
 
         :param node: whose topics they are.
-        :param values: all parameters.
         :param on_change: called when the reason for standing is another one.
         :raises ValueError: parameters or a model that cannot be used.
         """
-        self.made_for = fixed_values(POLICY_PARAMETERS, values)
-        settings = controller_settings(values)
+        self.made_for = parameters
+        settings = controller_settings(parameters)
         self.transforms = Transforms(node)
         locate = not_asked if settings.lockstep else self.transforms.locate
-        self.controller = Controller(ready_policy(values, settings), settings, locate=locate)
+        self.controller = Controller(ready_policy(settings), settings, locate=locate)
         self.running = False
         self.lockstep = settings.lockstep
         self.node = node
-        self.timer: Timer | None = None
-        self.expiry: Alarm | None = None
-        self.watchdog: Watchdog | None = None
+        self.pace: Pace | None = None
         self.punctuality = Punctuality(settings.period)
-        self.outputs = PolicyOutputs(node, self.controller, values, on_change)
+        self.outputs = PolicyOutputs(node, self.controller, on_change)
         self.create_inputs()
 
     def create_inputs(self) -> None:
@@ -91,45 +101,39 @@ class Driver:
             callback = partial(self.on_unread, name, partial(message_in, kind))
         return self.node.create_subscription(kind, name, callback, profile, raw=raw)
 
-    def start(self, values: dict[str, Any]) -> None:
-        """
-        Begin to drive.
-
-        :param values: all parameters.
-        """
-        self.use(values)
+    def start(self, parameters: PolicyParameters) -> None:
+        """Begin to drive."""
+        self.use(parameters)
         self.running = True
         self.outputs.begin()
         if not self.lockstep:
-            settings = self.controller.settings
+            settings, clock = self.controller.settings, pacing_clock(self.node)
             self.punctuality = Punctuality(settings.period)
-            clock = pacing_clock(self.node)
-            self.timer = self.node.create_timer(settings.period, self.on_timer, clock=clock)
-            self.expiry = Alarm(self.node, self.on_expiry, clock)
-            self.watchdog = Watchdog(settings.stall_timeout, self.on_stall)
+            self.pace = Pace(
+                timer=self.node.create_timer(settings.period, self.on_timer, clock=clock),
+                expiry=Alarm(self.node, self.on_expiry, clock),
+                watchdog=Watchdog(settings.stall_timeout, self.on_stall),
+            )
 
-    def use(self, values: dict[str, Any]) -> None:
-        """
-        Use other parameters from now on.
-
-        :param values: all parameters.
-        """
-        self.controller.settings = controller_settings(values)
-        if self.watchdog is not None:  # another one, which has not been fed by that
-            self.watchdog.stop()
-            timeout = self.controller.settings.stall_timeout
-            self.watchdog = Watchdog(timeout, self.on_stall, self.watchdog.fed)
+    def use(self, parameters: PolicyParameters) -> None:
+        """Use other parameters from now on."""
+        self.controller.settings = controller_settings(parameters)
+        if self.pace is not None:  # another watchdog, which has not been fed by that
+            former, timeout = self.pace.watchdog, self.controller.settings.stall_timeout
+            former.stop()
+            watchdog = Watchdog(timeout, self.on_stall, former.fed)
+            self.pace = dataclasses.replace(self.pace, watchdog=watchdog)
 
     def stop(self) -> None:
         """Stop the robot: a zero command is the last one."""
         if not self.running:
             return
         self.running = False
-        if self.watchdog is not None:
-            self.watchdog.stop()
-            self.node.destroy_timer(self.timer)
-            self.expiry.close()
-            self.watchdog = None
+        if self.pace is not None:
+            self.pace.watchdog.stop()
+            self.node.destroy_timer(self.pace.timer)
+            self.pace.expiry.close()
+            self.pace = None
         self.outputs.end()
 
     def close(self) -> None:
@@ -187,42 +191,44 @@ class Driver:
         rclpy's executor calls a timer twice where another one is set, or simulated time goes on,
         between the moment when it is due and its call; that moves it on by two periods.
         """
-        if not self.running:
+        pace = self.pace
+        if pace is None:
             return
-        lateness = (self.timer.timer_period_ns - self.timer.time_until_next_call()) * 1e-9
+        lateness = (pace.timer.timer_period_ns - pace.timer.time_until_next_call()) * 1e-9
         if lateness < 0.0:
-            self.timer.reset()
+            pace.timer.reset()
             return
-        self.on_tick(lateness)
+        self.on_tick(pace, lateness)
         if self.outputs.reason is None:  # only now: while a tick is due no alarm may be set
-            self.expiry.set(self.controller.time_left(self.node.get_clock().now().nanoseconds))
+            pace.expiry.set(self.controller.time_left(self.node.get_clock().now().nanoseconds))
 
-    def on_tick(self, lateness: float) -> None:
+    def on_tick(self, pace: Pace, lateness: float) -> None:
         """
         Decide in real time.
 
         :param lateness: how long ago the tick was due, s.
         """
         now = self.node.get_clock().now().nanoseconds
-        moment = self.timer.clock.now().nanoseconds * 1e-9
+        moment = pace.timer.clock.now().nanoseconds * 1e-9
         self.punctuality.tick(time.monotonic(), lateness, moment)
         decision = self.controller.decide(now)
         self.outputs.publish(decision)
-        self.watchdog.feed()
+        pace.watchdog.feed()
         drives = decision.reason is None
         ages = self.controller.input_ages(now) if drives else {}  # else nobody has read them
         self.punctuality.command(self.outputs.latest_command, ages)
 
     def on_expiry(self) -> None:
         """Stop the robot when an input has become too old: the next tick may be a period away."""
-        if not self.running or self.outputs.reason is not None:
+        pace = self.pace
+        if pace is None or self.outputs.reason is not None:
             return
         now = self.node.get_clock().now().nanoseconds
         left = self.controller.time_left(now)
         if left < 0:
             self.outputs.publish(self.controller.decide(now))
         else:  # newer inputs have come
-            self.expiry.set(left)
+            pace.expiry.set(left)
 
     def on_stall(self) -> None:
         """Stop the robot, in the watchdog's thread, while nothing else can."""
@@ -236,6 +242,6 @@ class Driver:
         """Return what diagnostics tell."""
         ages = self.controller.input_ages(self.node.get_clock().now().nanoseconds)
         controller = self.controller
-        model, plan = self.made_for['model'], controller.plan.note
+        model, plan = self.made_for.model, controller.plan.note
         facts = controller_facts(model, plan, ages, controller.tally)
         return facts | self.punctuality.facts()

@@ -7,13 +7,14 @@ from typing import Any
 
 from nav_msgs.msg import OccupancyGrid, Odometry
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 from sensor_msgs.msg import LaserScan
 
 from socialnav import qos
 from socialnav.messages.conversions import ConversionError
-from socialnav.parameters import declare
+from socialnav.parameters.declaring import declare, updated
+from socialnav.parameters.obstacle import ObstacleParameters
 from socialnav.perception.obstacle_finder import ObstacleFinder
-from socialnav.perception.sensor_parameters import OBSTACLE_PARAMETERS
 from socialnav.realtime.clocks import pacing_clock
 from socialnav.running import run
 from socialnav_msgs.msg import AgentStates
@@ -29,17 +30,17 @@ class ObstacleNode(Node):
         :raises ParameterError: a parameter that cannot be used.
         """
         super().__init__('obstacle_node')
-        self.values = declare(self, OBSTACLE_PARAMETERS)
+        settings = declare(self, ObstacleParameters)
+        self.finder = ObstacleFinder(settings)
         self.add_post_set_parameters_callback(self.on_parameters)
-        self.finder = ObstacleFinder(self.values)
         self.obstacles = self.create_publisher(AgentStates, 'obstacles', qos.OBSTACLES)
         self.listen(Odometry, 'odom', self.finder.store_odometry, qos.SENSOR_INPUT)
         self.listen(AgentStates, 'pedestrians', self.finder.store_people, qos.SENSOR_INPUT)
-        if self.values['source'] == 'scan':
+        if settings.source == 'scan':
             self.listen(LaserScan, 'scan', self.on_scan, qos.SENSOR_INPUT)
         else:
             self.listen(OccupancyGrid, 'map', self.finder.store_grid, qos.MAP)
-            period, tick = 1 / self.values['grid_rate'], partial(self.attempt, self.on_tick)
+            period, tick = 1 / settings.grid_rate, partial(self.attempt, self.on_tick)
             self.create_timer(period, tick, clock=pacing_clock(self))
 
     def listen(self, kind: type, topic: str, take: Callable[[Any], None], profile: Any) -> None:
@@ -65,20 +66,12 @@ class ObstacleNode(Node):
         except ConversionError as error:
             self.get_logger().warning(f'no obstacles: {error}', throttle_duration_sec=1.0)
 
-    def on_parameters(self, parameters: list) -> None:
-        """
-        Use parameters that were changed.
-
-        :param parameters: of rclpy.
-        """
-        self.values.update({one.name: one.value for one in parameters})
+    def on_parameters(self, changes: list[Parameter]) -> None:
+        """Use parameters that were changed."""
+        self.finder.settings = updated(self.finder.settings, changes)
 
     def on_scan(self, message: LaserScan) -> None:
-        """
-        Answer a scan.
-
-        :param message: the scan.
-        """
+        """Answer a scan."""
         self.obstacles.publish(self.finder.of_scan(message))
 
     def on_tick(self) -> None:

@@ -5,11 +5,14 @@ import sys
 from diagnostic_msgs.msg import DiagnosticArray
 from rclpy.clock import Clock, ClockType
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
+from rclpy.parameter import Parameter
 
 from socialnav import qos
 from socialnav.control.diagnostics import diagnostics_message
 from socialnav.driver import Driver
-from socialnav.parameters import declare, fixed_values, POLICY_PARAMETERS
+from socialnav.parameters.declaring import declare, updated
+from socialnav.parameters.fields import same_but_live
+from socialnav.parameters.policy import PolicyParameters
 from socialnav.realtime.memory import set_aside
 from socialnav.running import run
 
@@ -30,114 +33,92 @@ class PolicyNode(LifecycleNode):
         """
         super().__init__('policy_node')
         self.driver: Driver | None = None
-        self.label, self.problem = 'unconfigured', None
+        self.label = 'unconfigured'
+        self.problem: str | None = None
         self.health = self.create_publisher(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
         self.create_timer(DIAGNOSIS_PERIOD, self.diagnose, clock=Clock(clock_type=STEADY))
-        self.values = declare(self, POLICY_PARAMETERS, self.drives)
+        self.settings = declare(self, PolicyParameters, lambda: self.driving() is not None)
         self.add_post_set_parameters_callback(self.on_parameters)
-        if self.values['autostart'] and self.trigger_configure() == SUCCESS:
+        if self.settings.autostart and self.trigger_configure() == SUCCESS:
             self.trigger_activate()
 
-    def drives(self) -> bool:
-        """Return whether the robot is being commanded."""
-        return self.driver is not None and self.driver.running
+    def driving(self) -> Driver | None:
+        """Return the driver while it commands the robot."""
+        return self.driver if self.driver is not None and self.driver.running else None
 
-    def on_parameters(self, parameters: list) -> None:
-        """
-        Use parameters that were changed: at once while driving, else from the next activation.
+    def on_parameters(self, changes: list[Parameter]) -> None:
+        """Use what was changed: at once while driving, else from the next activation."""
+        self.settings = updated(self.settings, changes)
+        if (driver := self.driving()) is not None:
+            driver.use(self.settings)
 
-        :param parameters: of rclpy.
-        """
-        self.values.update({one.name: one.value for one in parameters})
-        if self.drives():
-            self.driver.use(self.values)
-
-    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Load the model and listen; say why where that is impossible.
-
-        :param state: the state before.
-        """
+    def prepared(self) -> Driver | None:
+        """Return a driver that has its model and listens; say why where that is impossible."""
         try:
-            self.driver = Driver(self, self.values, self.diagnose)
+            return Driver(self, self.settings, self.diagnose)
         except Exception as error:  # rclpy would swallow it without a word
             kind = '' if isinstance(error, ValueError) else f'{type(error).__name__}: '
             self.problem = f'not configured: {kind}{error}'
             self.get_logger().error(self.problem)
+            return None
+
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Load the model and listen."""
+        self.driver = self.prepared()
+        if self.driver is None:
             return FAILURE
         self.enter('inactive')
         return super().on_configure(state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Begin to drive, with another model or other frames where they have been changed.
-
-        :param state: the state before.
-        """
-        fixed = fixed_values(POLICY_PARAMETERS, self.values)
-        if self.driver is None or self.driver.made_for != fixed:
+        """Begin to drive, with another model or other frames where they have been changed."""
+        driver = self.driver
+        if driver is None or not same_but_live(driver.made_for, self.settings):
             self.release()
-            if self.on_configure(state) != SUCCESS:
-                return FAILURE
+            driver = self.driver = self.prepared()
+        if driver is None:
+            return FAILURE
         result = super().on_activate(state)
         set_aside()
-        self.driver.start(self.values)
+        driver.start(self.settings)
         self.enter('active')
         return result
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Stop the robot, then fall silent.
-
-        :param state: the state before.
-        """
-        self.driver.stop()
+        """Stop the robot, then fall silent."""
+        if self.driver is not None:
+            self.driver.stop()
         self.enter('inactive')
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Forget model and inputs.
-
-        :param state: the state before.
-        """
+        """Forget model and inputs."""
         self.release()
         self.enter('unconfigured')
         return super().on_cleanup(state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Stop the robot, if it drives, for good.
-
-        :param state: the state before.
-        """
+        """Stop the robot, if it drives, for good."""
         self.release()
         self.enter('finalized')
         return super().on_shutdown(state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """
-        Stop the robot after a transition that broke; the node is unconfigured then.
-
-        :param state: the state before.
-        """
+        """Stop the robot after a transition that broke; the node is unconfigured then."""
         self.get_logger().error(f'a transition from {state.label} broke')
         self.release()
         self.enter('unconfigured')
         return super().on_error(state)
 
     def enter(self, label: str) -> None:
-        """
-        Remember a state of the life cycle.
-
-        :param label: its name.
-        """
+        """Remember a state of the life cycle."""
         self.label, self.problem = label, None
         self.diagnose()
 
     def diagnose(self) -> None:
         """Publish how the node is."""
-        reason = self.problem if not self.drives() else self.driver.outputs.reason
+        driving = self.driving()
+        reason = self.problem if driving is None else driving.outputs.reason
         facts = {} if self.driver is None else self.driver.facts()
         rivals = [] if self.driver is None else self.driver.outputs.rivals()
         now = self.get_clock().now().nanoseconds

@@ -3,7 +3,6 @@
 from collections.abc import Callable
 import contextlib
 import time
-from typing import Any
 
 from geometry_msgs.msg import Twist, TwistStamped
 from nav_msgs.msg import Path
@@ -33,18 +32,13 @@ class PolicyOutputs:
     """Publishers, silent unless the node is active, and what they have told already."""
 
     def __init__(
-        self,
-        node: LifecycleNode,
-        controller: Controller,
-        values: dict[str, Any],
-        on_change: Callable[[], None],
+        self, node: LifecycleNode, controller: Controller, on_change: Callable[[], None]
     ) -> None:
         """
         Make the publishers.
 
         :param node: whose topics they are.
         :param controller: whose decisions they are.
-        :param values: all parameters.
         :param on_change: called when the reason for standing is another one.
         """
         self.node = node
@@ -54,9 +48,9 @@ class PolicyOutputs:
         self.goal_reached: bool | None = None
         self.latest_command = 0.0
         self.plan_note = NO_PLAN
-        self.base_frame = values['base_frame']
+        self.base_frame = controller.settings.base_frame
         self.lockstep = controller.settings.lockstep
-        self.stamped = self.lockstep or values['enable_stamped_cmd_vel']
+        self.stamped = controller.settings.stamped
         create = node.create_lifecycle_publisher
         self.commands = create(TwistStamped if self.stamped else Twist, 'cmd_vel', qos.COMMAND)
         self.arrivals = create(Bool, '~/goal_reached', qos.GOAL_REACHED)

@@ -6,9 +6,9 @@ import signal
 import sys
 
 import rclpy
-from rclpy._rclpy_pybind11 import RCLError
 from rclpy.executors import Executor
 from rclpy.experimental import EventsExecutor
+from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
@@ -90,5 +90,5 @@ def serve(executor: Executor, node: Node) -> None:
     """
     try:
         executor.spin_once(timeout_sec=WAKE_UP)
-    except RCLError as error:
+    except rclpy_implementation.RCLError as error:
         node.get_logger().error(f'refused: {error}', throttle_duration_sec=1.0)

@@ -9,6 +9,7 @@ from nav_msgs.msg import OccupancyGrid, Odometry
 from rclpy.clock import Clock, ClockType
 from rclpy.event_handler import PublisherEventCallbacks, QoSPublisherMatchedInfo
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 from rosgraph_msgs.msg import Clock as ClockMessage
 from std_srvs.srv import SetBool
 from visualization_msgs.msg import MarkerArray
@@ -19,9 +20,10 @@ from socialnav.messages.conversions import ConversionError, goal_array
 from socialnav.messages.filling import filled
 from socialnav.messages.occupancy import map_message
 from socialnav.messages.stamps import nanoseconds_of, time_message
-from socialnav.parameters import declare, SIMULATOR_PARAMETERS
+from socialnav.parameters.declaring import declare, updated
+from socialnav.parameters.simulator import SimulatorParameters
 from socialnav.running import run
-from socialnav.simulator.settings import simulator_settings
+from socialnav.simulator.settings import frames_of, scenario_named
 from socialnav.simulator.simulated_sensors import SimulatedSensors
 from socialnav.simulator.transform_publisher import transform_publisher
 from socialnav.simulator.world import World
@@ -49,18 +51,17 @@ class SimulatorNode(Node):
         :raises ValueError: a parameter that cannot be used.
         """
         super().__init__('simulator_node')
-        self.values = declare(self, SIMULATOR_PARAMETERS)
+        self.settings = declare(self, SimulatorParameters)
         self.add_post_set_parameters_callback(self.on_parameters)
-        self.settings = simulator_settings(self.values)
-        self.lockstep, self.frames = self.settings.lockstep, self.settings.frames
+        self.lockstep, self.frames = self.settings.lockstep, frames_of(self.settings)
         self.own_goals: deque[int] = deque(maxlen=OWN_GOALS)
         self.world = World(
-            self.settings.scenario(self.values['scenario']),
-            self.values['seed'],
-            self.values['episodes'],
+            scenario_named(self.settings.scenario, self.settings),
+            self.settings.seed,
+            self.settings.episodes,
             self.get_clock().now().nanoseconds,
         )
-        self.world.command_timeout = self.settings.command_timeout
+        self.world.command_timeout = self.settings.cmd_vel_timeout
         self.create_outputs()
         self.create_inputs()
         self.create_pace()
@@ -80,7 +81,7 @@ class SimulatorNode(Node):
         }
         self.markers = self.create_publisher(MarkerArray, 'markers', qos.MARKERS)
         self.results = self.create_publisher(EpisodeResult, 'episode_result', qos.EPISODE_RESULT)
-        self.sensors = SimulatedSensors(self, self.values, self.frames)
+        self.sensors = SimulatedSensors(self, self.settings)
         self.transforms = transform_publisher(self, self.frames, self.stamp())
         self.clocks = None
         if self.settings.publish_clock:
@@ -104,15 +105,10 @@ class SimulatorNode(Node):
         self.tellings = TELLINGS
         self.teller = self.create_timer(TELLING_PERIOD, self.on_telling, clock=steady)
 
-    def on_parameters(self, parameters: list) -> None:
-        """
-        Use parameters that were changed.
-
-        :param parameters: of rclpy.
-        """
-        self.values.update({one.name: one.value for one in parameters})
-        self.settings = simulator_settings(self.values)
-        self.world.command_timeout = self.settings.command_timeout
+    def on_parameters(self, changes: list[Parameter]) -> None:
+        """Use parameters that were changed."""
+        self.settings = updated(self.settings, changes)
+        self.world.command_timeout = self.settings.cmd_vel_timeout
 
     def on_tick(self) -> None:
         """Let time pass."""
@@ -199,7 +195,8 @@ class SimulatorNode(Node):
         :param response: tells whether it exists.
         """
         try:
-            scenario = self.settings.scenario(request.scenario or self.world.scenario.name)
+            name = request.scenario or self.world.scenario.name
+            scenario = scenario_named(name, self.settings)
             self.world.begin(scenario, request.seed, request.case_index)
         except ValueError as error:
             response.success, response.message = False, str(error)

@@ -5,22 +5,20 @@ from typing import Any
 
 from nav_msgs.msg import Odometry
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 from socialnav import qos
 from socialnav.messages.conversions import ConversionError
 from socialnav.messages.detection_types import DETECTION_TYPES, message_class
 from socialnav.messages.sensor_messages import detection_points, tracks_message
 from socialnav.messages.stamps import nanoseconds_of
-from socialnav.parameters import declare
+from socialnav.parameters.declaring import declare, updated
+from socialnav.parameters.tracker import TrackerParameters
 from socialnav.perception.locating import Locator
-from socialnav.perception.sensor_parameters import TRACKER_PARAMETERS
 from socialnav.running import run
 from socialnav_core.sensing import Tracker, TrackerSettings
 from socialnav_msgs.msg import AgentStates
 
-SETTINGS = (
-    'hits', 'coast_time', 'gate', 'detection_noise', 'acceleration_noise', 'start_speed',
-)  # fmt: skip
 ACCEPTED_DELAY = 0.2
 """Age relative to the newest detections up to which others count as seen with them, s."""
 CLOCK_STEP = 1.0
@@ -37,31 +35,23 @@ class TrackerNode(Node):
         :raises ValueError: a parameter that cannot be used.
         """
         super().__init__('tracker_node')
-        self.values = declare(self, TRACKER_PARAMETERS)
+        self.settings = declare(self, TrackerParameters)
         self.add_post_set_parameters_callback(self.on_parameters)
-        frames = (self.values[name] for name in ('planning_frame', 'base_frame'))
-        self.locator = Locator(*frames, self.values['pose_timeout'])
-        self.tracker = Tracker(self.settings())
+        frames = self.settings.planning_frame, self.settings.base_frame
+        self.locator = Locator(*frames, self.settings.pose_timeout)
+        self.tracker = Tracker(tracker_settings(self.settings))
         self.newest = 0
         self.pedestrians = self.create_publisher(AgentStates, 'pedestrians', qos.PEDESTRIANS)
-        self.kind = DETECTION_TYPES[self.values['source']]
+        self.kind = DETECTION_TYPES[self.settings.source]
         self.create_subscription(
             message_class(self.kind), 'detections', self.on_detections, qos.SENSOR_INPUT
         )
         self.create_subscription(Odometry, 'odom', self.on_odometry, qos.SENSOR_INPUT)
 
-    def settings(self) -> TrackerSettings:
-        """Return what the parameters ask for."""
-        return TrackerSettings(**{name: self.values[name] for name in SETTINGS})
-
-    def on_parameters(self, parameters: list) -> None:
-        """
-        Use parameters that were changed.
-
-        :param parameters: of rclpy.
-        """
-        self.values.update({one.name: one.value for one in parameters})
-        self.tracker.settings = self.settings()
+    def on_parameters(self, changes: list[Parameter]) -> None:
+        """Use parameters that were changed."""
+        self.settings = updated(self.settings, changes)
+        self.tracker.settings = tracker_settings(self.settings)
 
     def on_odometry(self, message: Odometry) -> None:
         """
@@ -89,7 +79,7 @@ class TrackerNode(Node):
         if stamp is None:
             return
         tracks = self.tracker.update(stamp * 1e-9, points)
-        radius, frame = self.values['pedestrian_radius'], self.locator.planning_frame
+        radius, frame = self.settings.pedestrian_radius, self.locator.planning_frame
         self.pedestrians.publish(tracks_message(tracks, radius, stamp, frame))
 
     def moment_of(self, stamp: int) -> int | None:
@@ -120,6 +110,18 @@ class TrackerNode(Node):
 
     def close(self) -> None:
         """Do nothing: pedestrians that age are the policy's matter."""
+
+
+def tracker_settings(parameters: TrackerParameters) -> TrackerSettings:
+    """Return what the filters and their assignment go by."""
+    return TrackerSettings(
+        acceleration_noise=parameters.acceleration_noise,
+        detection_noise=parameters.detection_noise,
+        start_speed=parameters.start_speed,
+        gate=parameters.gate,
+        coast_time=parameters.coast_time,
+        hits=parameters.hits,
+    )
 
 
 def main() -> None:

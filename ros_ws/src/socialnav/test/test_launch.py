@@ -15,12 +15,17 @@ from rclpy.context import Context
 from rclpy.node import Node
 import yaml
 
-from socialnav.parameters import declare, POLICY_PARAMETERS, SIMULATOR_PARAMETERS
+from socialnav.parameters.declaring import declare
+from socialnav.parameters.fields import entries
+from socialnav.parameters.policy import PolicyParameters
+from socialnav.parameters.simulator import SimulatorParameters
 from socialnav_core.simulation import make_scenario
 
 PACKAGE = Path(__file__).parents[1]
 LAUNCH_FILES = sorted((PACKAGE / 'launch').glob('*_launch.py'))
-PARAMETERS = {entry.name for entry in POLICY_PARAMETERS + SIMULATOR_PARAMETERS}
+PARAMETERS = {
+    entry.name for kind in (PolicyParameters, SimulatorParameters) for entry in entries(kind)
+}
 needs_launch = pytest.mark.skipif(
     find_spec('ros2launch') is None,
     reason='ros2 launch is not installed: no wheel has it',
@@ -72,10 +77,10 @@ def test_the_policy_accepts_every_parameter_of_its_file(namespace):
         context=context,
     )
     node = Node('policy_node', namespace=namespace, context=context)
-    values = declare(node, POLICY_PARAMETERS)
+    settings = declare(node, PolicyParameters)
     node.destroy_node()
     rclpy.try_shutdown(context=context)
-    assert {name: values.get(name) for name in wanted} == wanted
+    assert {name: getattr(settings, name) for name in wanted} == wanted
 
 
 def test_the_collision_monitor_brakes_what_the_policy_commands():

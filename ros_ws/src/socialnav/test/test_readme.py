@@ -8,8 +8,8 @@ import pytest
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
 from socialnav.messages.detection_types import DETECTION_TYPES
-from socialnav.parameters import POLICY_PARAMETERS, SIMULATOR_PARAMETERS
-from socialnav.perception.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
+from socialnav.parameters.fields import entries
+from socialnav.parameters.readme import KINDS, with_tables
 
 README = (Path(__file__).parents[1] / 'README.md').read_text()
 OWN_TOPICS = ('/rosout', '/parameter_events')
@@ -48,38 +48,28 @@ def rows(text, first_column):
     return [[cell.strip() for cell in row.strip('|').split('|')] for row in table]
 
 
-def shown(value):
-    """Return a value as YAML has it."""
-    if isinstance(value, bool):
-        return str(value).lower()
-    return f'{value:g}' if isinstance(value, float) else str(value)
+def test_the_tables_of_parameters_are_written_from_the_code():
+    assert with_tables(README) == README, 'make docs writes them'
 
 
-def values_of(entry):
-    """Return what the README says that a parameter may be."""
-    if entry.choices:
-        return ', '.join(f'`{choice}`' for choice in entry.choices)
-    if entry.range:
-        return ' to '.join(map(shown, entry.range))
-    return 'true, false' if isinstance(entry.default, bool) else 'text'
+@pytest.mark.parametrize('name', KINDS)
+def test_the_readme_lists_every_parameter_with_its_range_and_meaning(name):
+    listed = {cells[0].strip('`'): cells for cells in rows(section(name), 'parameter')}
+    assert list(listed) == [entry.name for entry in entries(KINDS[name])]
+    for entry in entries(KINDS[name]):
+        _, default, values, unit, live, meaning = listed[entry.name]
+        assert (unit, live, meaning) == (entry.unit or '-', entry.live, entry.description)
+        if isinstance(entry.default, float):
+            limits = [float(one.lstrip('.')) for one in values.split(' to ')]
+            assert [float(default.lstrip('.')), *limits] == pytest.approx(
+                [entry.default, *entry.range], rel=1e-5
+            )
 
 
-@pytest.mark.parametrize(
-    ('name', 'table'),
-    [
-        ('simulator_node', SIMULATOR_PARAMETERS), ('policy_node', POLICY_PARAMETERS),
-        ('obstacle_node', OBSTACLE_PARAMETERS), ('tracker_node', TRACKER_PARAMETERS),
-    ],
-)  # fmt: skip
-def test_the_readme_lists_every_parameter_as_it_is(name, table):
-    expected = [
-        [
-            f'`{entry.name}`', shown(entry.default), values_of(entry), entry.unit or '-',
-            entry.live, entry.description,
-        ]
-        for entry in table
-    ]  # fmt: skip
-    assert rows(section(name), 'parameter') == expected
+@pytest.mark.parametrize('change', ['| `seed` | 0 |', '| `threads` | 1 |', '| `sectors` | 18 |'])
+def test_a_table_that_says_something_else_is_written_anew(change):
+    assert change in README
+    assert with_tables(README.replace(change, '| `nobody` | 7 |')) == README
 
 
 def endpoints(graph, node):

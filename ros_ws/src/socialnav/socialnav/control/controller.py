@@ -12,11 +12,11 @@ from socialnav.control.inputs import Inputs
 from socialnav.control.plan import PlanFollower
 from socialnav.control.reasons import ARRIVED, STALLED
 from socialnav.control.runs import Run
-from socialnav.control.settings import ControllerSettings
 from socialnav.control.tally import Tally
 from socialnav.messages.conversions import ConversionError, crowd_state
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.grids import grid_discs, with_discs
+from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.policies import Policy
 from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.states import CrowdState
@@ -56,7 +56,7 @@ class Controller:
     def __init__(
         self,
         policy: Policy,
-        settings: ControllerSettings,
+        settings: PolicyParameters,
         steady: Callable[[], float] = time.monotonic,
         locate: Locate = not_asked,
     ) -> None:

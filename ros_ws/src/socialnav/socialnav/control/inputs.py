@@ -5,9 +5,9 @@ from typing import Any
 
 from geometry_msgs.msg import PoseStamped
 
-from socialnav.control.settings import ControllerSettings
 from socialnav.messages.stamps import nanoseconds_of
 from socialnav.messages.unread import content, Unread
+from socialnav.parameters.policy import PolicyParameters
 
 NAMES = ('odom', 'pedestrians', 'obstacles', 'goal_pose')
 OPTIONAL = ('plan', 'map')
@@ -89,7 +89,7 @@ class Inputs:
             return True
         return False
 
-    def complaint(self, now: int, settings: ControllerSettings) -> str | None:
+    def complaint(self, now: int, settings: PolicyParameters) -> str | None:
         """
         Return why the inputs cannot be acted on, or None.
 
@@ -110,7 +110,7 @@ class Inputs:
         complaints = (age_complaint(name, ages[name], timeouts[name]) for name in timeouts)
         return next(filter(None, complaints), None)
 
-    def time_left(self, now: int, settings: ControllerSettings) -> float:
+    def time_left(self, now: int, settings: PolicyParameters) -> float:
         """
         Return the time until the first input is too old, s; negative once one is.
 
@@ -121,14 +121,14 @@ class Inputs:
         limits = self._timeouts(settings)
         return min(limits[name] - ages.get(name, math.inf) for name in limits)
 
-    def _timeouts(self, settings: ControllerSettings) -> dict[str, float]:
+    def _timeouts(self, settings: PolicyParameters) -> dict[str, float]:
         """Return the largest age of each input that ages, s."""
         timeouts = dict.fromkeys(AGEING, settings.input_timeout)
         if settings.obstacles_timeout > 0 and 'obstacles' in self._newest:
             timeouts['obstacles'] = settings.obstacles_timeout
         return timeouts
 
-    def plan_complaint(self, now: int, settings: ControllerSettings) -> str | None:
+    def plan_complaint(self, now: int, settings: PolicyParameters) -> str | None:
         """
         Return why the plan cannot be followed, or None where it is fresh or does not age.
 

@@ -9,8 +9,8 @@ from ament_index_python.packages import get_package_share_directory
 import numpy as np
 import torch
 
-from socialnav.control.settings import ControllerSettings
 from socialnav.messages.conversions import RobotBody
+from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.config import ConfigError
 from socialnav_core.policies import load_policy, Policy
 from socialnav_core.policies.loading import WITHOUT_NETWORK
@@ -21,23 +21,21 @@ NAME = re.compile(r'\w[\w.-]*')
 SCREENING = {'checkpoint': None, 'enabled': True, 'disabled': False}
 
 
-def ready_policy(values: dict[str, Any], settings: ControllerSettings) -> Policy:
+def ready_policy(settings: PolicyParameters) -> Policy:
     """
     Return a policy that has decided once, so that its first real decision is not a slow one.
 
-    :param values: all parameters of the policy node.
-    :param settings: what the robot is like.
     :raises ValueError: no such model, a damaged one, or one for another kind of robot.
     """
-    torch.set_num_threads(values['threads'])
-    model, overrides = installed(values['model']), chosen_overrides(values)
+    torch.set_num_threads(settings.threads)
+    model, overrides = installed(settings.model), chosen_overrides(settings)
     policy = load_policy(model, **overrides)
     if policy.description.knowledge == 'oracle':  # which exists in simulation only
         policy = load_policy(model, lookahead='constant_velocity', **overrides)
     kinematics = policy.description.kinematics
     if kinematics != settings.kinematics:
         raise ConfigError(
-            f'model {values["model"]} drives a {kinematics} robot, not a '
+            f'model {settings.model} drives a {kinematics} robot, not a '
             f'{settings.kinematics} one: change the parameter kinematics or the model'
         )
     policy.act(example_state(settings.body), settings.limits)
@@ -45,12 +43,12 @@ def ready_policy(values: dict[str, Any], settings: ControllerSettings) -> Policy
     return policy
 
 
-def chosen_overrides(values: dict[str, Any]) -> dict[str, Any]:
+def chosen_overrides(settings: PolicyParameters) -> dict[str, Any]:
     """Return the settings of a policy that the parameters of the policy node change, by name."""
     return {
-        'screening': SCREENING[values['screening']],
-        'screening.horizon': values['screening_horizon'] or None,
-        'device': None if values['device'] == 'cpu' else values['device'],
+        'screening': SCREENING[settings.screening],
+        'screening.horizon': settings.screening_horizon or None,
+        'device': None if settings.device == 'cpu' else settings.device,
     }
 
 

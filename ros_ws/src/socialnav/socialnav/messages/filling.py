@@ -26,14 +26,14 @@ def fill(message: Any, content: Mapping[str, Any]) -> None:
         if isinstance(value, dict):  # fields that are messages have been made with their owner
             fill(getattr(message, name), value)
         elif isinstance(value, list):
-            element = element_type(type(message), name)
+            element = element_type(message.__class__, name)
             setattr(message, name, [filled(element, one) for one in value])
         else:
             setattr(message, name, value)
 
 
 @cache
-def element_type(kind: type, name: str) -> type:
+def element_type(kind: Any, name: str) -> Any:
     """Return the type of the messages that a field of a type lists."""
     fields = list(kind.get_fields_and_field_types())
     element = kind.SLOT_TYPES[fields.index(name)].value_type

@@ -32,7 +32,7 @@ class Locator:
         :raises ConversionError: a pose in another frame, or one that cannot be.
         """
         position, velocity, heading = robot_arrays(odometry, self.planning_frame)
-        pose = Pose(*position.tolist(), heading)
+        pose = Pose(float(position[0]), float(position[1]), heading)
         self.latest = nanoseconds_of(odometry.header.stamp)
         self._history.store(self.latest, Motion(pose, velocity, odometry.twist.twist.angular.z))
 

@@ -1,7 +1,5 @@
 """From scans or grids to the discs that a policy avoids; knows no rclpy."""
 
-from typing import Any
-
 from nav_msgs.msg import OccupancyGrid, Odometry
 import numpy as np
 from sensor_msgs.msg import LaserScan
@@ -11,26 +9,23 @@ from socialnav.messages.frames import not_asked
 from socialnav.messages.grids import cells_of, corner_of, grid_points, HALF_DIAGONAL
 from socialnav.messages.sensor_messages import discs_message, scan_points
 from socialnav.messages.stamps import nanoseconds_of
+from socialnav.parameters.obstacle import ObstacleParameters
 from socialnav.perception.locating import Locator
 from socialnav_core.sensing import Pose, SurfaceSettings, surrounding_discs
 from socialnav_msgs.msg import AgentStates
-
-SETTINGS = (
-    'sectors', 'disc_radius', 'largest_circle', 'max_range', 'bounds', 'people_margin',
-)  # fmt: skip
 
 
 class ObstacleFinder:
     """Keeps odometry, pedestrians and a grid; finds obstacles."""
 
-    def __init__(self, values: dict[str, Any]) -> None:
+    def __init__(self, settings: ObstacleParameters) -> None:
         """
         Start without any input.
 
-        :param values: all parameters of the obstacle node; may be changed at any time.
+        :param settings: may be replaced at any time.
         """
-        self.values = values
-        self.locator = Locator(values['planning_frame'], 'base_link', values['pose_timeout'])
+        self.settings = settings
+        self.locator = Locator(settings.planning_frame, 'base_link', settings.pose_timeout)
         self._people: AgentStates | None = None
         self._grid: OccupancyGrid | None = None
         self._answered = -1
@@ -63,7 +58,7 @@ class ObstacleFinder:
         :raises ConversionError: a grid that cannot be used; none is known then.
         """
         self._grid = None
-        placement_of('map', message.header, self.values['grid_frame'], not_asked)
+        placement_of('map', message.header, self.settings.grid_frame, not_asked)
         corner_of(message)
         cells_of(message)
         self._grid = message
@@ -75,9 +70,9 @@ class ObstacleFinder:
         :param message: the scan.
         :raises ConversionError: a scan that cannot be used, or no pose of the robot at its time.
         """
-        stamp, values = nanoseconds_of(message.header.stamp), self.values
+        stamp, settings = nanoseconds_of(message.header.stamp), self.settings
         robot = self.locator.base(stamp)
-        laser = robot.of(Pose(*(values[f'laser_{name}'] for name in ('x', 'y', 'yaw'))))
+        laser = robot.of(Pose(settings.laser_x, settings.laser_y, settings.laser_yaw))
         return self._obstacles(laser.placed(scan_points(message)), robot, stamp, 0.0)
 
     def of_grid(self) -> AgentStates | None:
@@ -86,7 +81,7 @@ class ObstacleFinder:
 
         :raises ConversionError: no grid, an old one, or no pose of the robot.
         """
-        stamp, grid, timeout = self.locator.latest, self._grid, self.values['grid_timeout']
+        stamp, grid, timeout = self.locator.latest, self._grid, self.settings.grid_timeout
         if stamp == self._answered:
             return None
         if grid is None:
@@ -95,23 +90,34 @@ class ObstacleFinder:
             raise ConversionError(f'map older than {timeout:g} s')
         robot = self.locator.base(stamp)
         self._answered = stamp
-        threshold, reach = self.values['grid_threshold'], self.values['max_range']
+        threshold, reach = self.settings.grid_threshold, self.settings.max_range
         points = grid_points(grid, threshold, robot.position, reach)
         depth = HALF_DIAGONAL * grid.info.resolution
         return self._obstacles(points, robot, stamp, depth)
 
     def _obstacles(self, points: np.ndarray, robot: Pose, stamp: int, depth: float) -> AgentStates:
         """Return the discs behind points of surfaces."""
-        values = self.values
-        settings = SurfaceSettings(**{name: values[name] for name in SETTINGS})
-        discs = surrounding_discs(points, robot.position, *self._people_at(stamp), settings, depth)
+        people, surfaces = self._people_at(stamp), surface_settings(self.settings)
+        discs = surrounding_discs(points, robot.position, *people, surfaces, depth)
         return discs_message(*discs, stamp, self.locator.planning_frame)
 
     def _people_at(self, stamp: int) -> tuple[np.ndarray, np.ndarray]:
         """Return where known people are by then, (people, 2), and their radii; none if unknown."""
         people, frame = self._people, self.locator.planning_frame
         age = 0.0 if people is None else (stamp - nanoseconds_of(people.header.stamp)) * 1e-9
-        if abs(age) > self.values['people_timeout']:
+        if abs(age) > self.settings.people_timeout:
             people = None
         position, velocity, radius, _ = agent_arrays('pedestrians', people, frame, static=False)
         return position + age * velocity, radius
+
+
+def surface_settings(settings: ObstacleParameters) -> SurfaceSettings:
+    """Return how discs are made of surfaces."""
+    return SurfaceSettings(
+        sectors=settings.sectors,
+        disc_radius=settings.disc_radius,
+        max_range=settings.max_range,
+        largest_circle=settings.largest_circle,
+        bounds=settings.bounds,
+        people_margin=settings.people_margin,
+    )

@@ -13,7 +13,6 @@ from socialnav.control.controller import Controller
 from socialnav_core.config import PolicyConfig, ScreeningConfig
 from socialnav_core.policies import build_network, ValuePolicy
 from socialnav_core.sensing import HERE
-from socialnav_core.simulation.kinematics import Limits
 
 
 def test_fresh_inputs_make_the_robot_drive(policy):
@@ -58,7 +57,9 @@ def test_inputs_can_be_acted_on_until_the_oldest_that_ages_is_too_old(policy):
 
 @pytest.mark.parametrize(('period', 'timeout'), [(0.1, 0.5), (1.0, 0.05), (0.01, 10.0)])
 def test_a_stall_is_noticed_after_a_period_and_before_the_robot_must_have_stopped(period, timeout):
-    settings = dataclasses.replace(SETTINGS, period=period, input_timeout=timeout)
+    settings = dataclasses.replace(
+        SETTINGS, controller_frequency=1 / period, input_timeout=timeout
+    )
     assert period < settings.stall_timeout < period + timeout
 
 
@@ -228,10 +229,9 @@ def test_no_command_is_faster_than_the_robot(policy):
 
 
 def test_no_command_changes_the_velocity_faster_than_the_robot_can(policy):
-    limits = Limits(1.0, 2.0, math.pi, 0.1)
     state = random_state(0)
     state.robot.velocity[:], state.robot.heading[:] = 0.0, 0.0
-    settings = dataclasses.replace(SETTINGS, limits=limits)
+    settings = dataclasses.replace(SETTINGS, max_acceleration=2.0)
     command = controller_of(policy, settings, state=state).decide(SECOND).command
     np.testing.assert_allclose(command, [0.2, 0.0], atol=1e-12)
 
@@ -267,8 +267,9 @@ def test_an_intention_tells_the_plan_of_a_policy_that_has_one(policy):
 def test_a_look_ahead_chooses_within_the_limits_so_that_none_is_clamped(kinematics):
     torch.manual_seed(0)
     config = PolicyConfig(kinematics=kinematics, screening=ScreeningConfig(enabled=True))
-    limits = Limits(0.7, 1.0, 1.0, 0.1)
-    settings = dataclasses.replace(SETTINGS, limits=limits, kinematics=kinematics, period=0.1)
+    settings = dataclasses.replace(
+        SETTINGS, kinematics=kinematics, max_speed=0.7, max_acceleration=1.0, max_turn_rate=1.0
+    )
     controller = Controller(
         ValuePolicy(build_network(config), config), settings, steady=lambda: 0.0
     )

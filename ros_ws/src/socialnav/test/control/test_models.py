@@ -9,17 +9,16 @@ import pytest
 import torch
 
 from socialnav.control.models import example_state, installed, ready_policy
-from socialnav.control.settings import controller_settings, real_time_settings
-from socialnav.parameters import DEFAULT_MODEL, POLICY_PARAMETERS
+from socialnav.control.settings import controller_settings
+from socialnav.parameters import DEFAULT_MODEL
+from socialnav.parameters.policy import PolicyParameters
 
 SHARE = Path(get_package_share_directory('socialnav')) / 'models'
-VALUES = {entry.name: entry.default for entry in POLICY_PARAMETERS}
 
 
 def policy_of(**changes):
     """Return the policy of a node with some parameters."""
-    values = VALUES | changes
-    return ready_policy(values, real_time_settings(values))
+    return ready_policy(PolicyParameters(**changes))
 
 
 def load(model):
@@ -69,7 +68,7 @@ def test_whatever_is_no_checkpoint_is_one_line_about_what_could_be_given(name):
 )
 def test_a_scenario_is_a_name_and_never_a_file(name):
     with pytest.raises(ValueError, match='unknown scenario'):
-        controller_settings(VALUES | {'lockstep': True, 'scenario': name})
+        controller_settings(PolicyParameters(lockstep=True, scenario=name))
 
 
 def test_the_horizon_of_screening_is_as_saved_unless_another_is_asked_for():
@@ -98,5 +97,5 @@ def test_without_a_gpu_there_is_one_line_and_no_slower_device_instead():
 def test_a_gpu_decides_as_the_processor_does():
     policy = policy_of(device='cuda')
     assert {parameter.device.type for parameter in policy.network.parameters()} == {'cuda'}
-    state = example_state(real_time_settings(VALUES).body)
+    state = example_state(PolicyParameters().body)
     np.testing.assert_array_equal(policy.act(state), policy_of().act(state))

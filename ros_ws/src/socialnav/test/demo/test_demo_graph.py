@@ -4,21 +4,14 @@ import pytest
 
 from socialnav.demo.graph import node_parameters, node_topics
 from socialnav.demo.run import parse
-from socialnav.parameters import POLICY_PARAMETERS, SIMULATOR_PARAMETERS
-from socialnav.perception.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
-
-TABLES = {
-    'simulator_node': SIMULATOR_PARAMETERS,
-    'policy_node': POLICY_PARAMETERS,
-    'obstacle_node': OBSTACLE_PARAMETERS,
-    'tracker_node': TRACKER_PARAMETERS,
-}
+from socialnav.parameters.fields import entries
+from socialnav.parameters.readme import KINDS
 
 
 @pytest.mark.parametrize('flags', [[], ['--real-time'], ['--sensors']])
 def test_every_parameter_that_is_given_exists(flags):
     for name, values in node_parameters(parse(flags)).items():
-        assert values.keys() <= {entry.name for entry in TABLES[name]} | {'use_sim_time'}
+        assert values.keys() <= {entry.name for entry in entries(KINDS[name])} | {'use_sim_time'}
 
 
 @pytest.mark.parametrize('flags', [['--real-time'], ['--sensors']])
@@ -38,7 +31,7 @@ def test_a_robot_that_measures_is_not_told_the_truth():
     renamed = node_topics(options)['simulator_node']
     assert {'pedestrians', 'obstacles'} == renamed.keys()
     assert not renamed.keys() & set(renamed.values())
-    assert set(node_parameters(options)) == set(TABLES)
+    assert set(node_parameters(options)) == set(KINDS)
 
 
 def test_a_demo_in_lockstep_has_two_nodes_with_the_usual_topics():

@@ -1,25 +1,19 @@
 """Controllers that decide without the middleware."""
 
 import dataclasses
-import math
 
 import numpy as np
 
 from helpers.worlds import BODY, messages_of, random_state
 from socialnav.control.controller import Controller
-from socialnav.control.settings import ControllerSettings
+from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.policies import PolicyDescription
-from socialnav_core.simulation.kinematics import Limits
 
 SECOND = 10**9
-SETTINGS = ControllerSettings(
-    body=BODY,
-    limits=Limits(1.0, math.inf, math.pi, 0.1),
-    kinematics='holonomic',
-    goal_tolerance=0.3,
-    period=0.1,
+SETTINGS = PolicyParameters(bounds=BODY.bounds)
+LOCKSTEP = dataclasses.replace(
+    SETTINGS, lockstep=True, controller_frequency=4.0, stop_publish_timeout=0.0
 )
-LOCKSTEP = dataclasses.replace(SETTINGS, lockstep=True, period=0.25, stop_publish_timeout=0.0)
 
 
 class Recorder:

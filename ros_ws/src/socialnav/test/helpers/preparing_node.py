@@ -12,11 +12,11 @@ PREPARATION = 1.0
 prepare = driver.ready_policy
 
 
-def prepare_slowly(values, settings):
+def prepare_slowly(settings):
     """Return the policy, late."""
     Path(sys.argv[1]).touch()
     time.sleep(PREPARATION)
-    return prepare(values, settings)
+    return prepare(settings)
 
 
 if __name__ == '__main__':

@@ -33,5 +33,5 @@ class StallingPolicy:
 
 
 if __name__ == '__main__':
-    driver.ready_policy = lambda values, settings: StallingPolicy()
+    driver.ready_policy = lambda settings: StallingPolicy()
     sys.exit(policy_node.main())

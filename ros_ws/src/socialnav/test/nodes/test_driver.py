@@ -7,7 +7,7 @@ from rclpy.experimental import EventsExecutor
 from rclpy.lifecycle import LifecycleNode
 
 from socialnav.driver import Driver
-from socialnav.parameters import declare, POLICY_PARAMETERS
+from socialnav.parameters.policy import PolicyParameters
 
 PERIOD = 0.4
 
@@ -17,14 +17,13 @@ class Ticking:
 
     def __init__(self):
         self.node = LifecycleNode('driving')
-        values = declare(self.node, POLICY_PARAMETERS, lambda: False)
-        values |= {'model': 'orca', 'controller_frequency': 1 / PERIOD}
-        self.driver = Driver(self.node, values, lambda: None)
+        parameters = PolicyParameters(model='orca', controller_frequency=1 / PERIOD)
+        self.driver = Driver(self.node, parameters, lambda: None)
         self.executor = EventsExecutor()
         self.executor.add_node(self.node)
         self.lateness = []
-        self.driver.on_tick = self.lateness.append
-        self.driver.start(values)
+        self.driver.on_tick = lambda _, lateness: self.lateness.append(lateness)
+        self.driver.start(parameters)
 
     def spin(self, duration):
         """Serve the driver for some time."""
@@ -51,7 +50,7 @@ def test_ticks_keep_their_period_though_alarms_are_set_while_one_is_due(ticking)
     ticking.spin(0.5 * PERIOD)
     time.sleep(PERIOD)
     for _ in range(3):
-        ticking.driver.expiry.set(60.0)
+        ticking.driver.pace.expiry.set(60.0)
     ticking.spin(5 * PERIOD)
     assert len(ticking.lateness) >= 5
     assert min(ticking.lateness) >= 0.0

@@ -9,15 +9,11 @@ import pytest
 import rclpy
 from rclpy.parameter import Parameter
 
-from socialnav.parameters import declare, ParameterError, POLICY_PARAMETERS, SIMULATOR_PARAMETERS
-from socialnav.perception.sensor_parameters import OBSTACLE_PARAMETERS, TRACKER_PARAMETERS
+from socialnav.parameters.declaring import declare, ParameterError
+from socialnav.parameters.fields import entries
+from socialnav.parameters.policy import PolicyParameters
+from socialnav.parameters.readme import KINDS
 
-TABLES = {
-    'policy_node': POLICY_PARAMETERS,
-    'simulator_node': SIMULATOR_PARAMETERS,
-    'obstacle_node': OBSTACLE_PARAMETERS,
-    'tracker_node': TRACKER_PARAMETERS,
-}
 WRONG_TYPE = {bool: 'yes', int: 0.5, float: 'much', str: 7}
 
 
@@ -37,7 +33,7 @@ def refusals(graph, node):
     """Try to give every parameter of a node what it cannot be; return why it was refused."""
     changes = [
         (entry.name, value)
-        for entry in TABLES[node]
+        for entry in entries(KINDS[node])
         for value in (*impossible(entry), WRONG_TYPE[type(entry.default)])
     ]
     results = change_parameters(graph, changes, node)
@@ -61,16 +57,16 @@ def test_a_value_that_cannot_be_is_refused_by_each_other_node(graph, node):
     assert all('\n' not in reason for reason in refusals(graph, node))
 
 
-@pytest.mark.parametrize('node', TABLES)
+@pytest.mark.parametrize('node', KINDS)
 def test_a_node_does_not_start_with_a_value_that_cannot_be(graph, node):
-    for entry in TABLES[node]:
+    for entry in entries(KINDS[node]):
         for number, value in enumerate([*impossible(entry), WRONG_TYPE[type(entry.default)]]):
             created = rclpy.create_node(
                 f'start_{entry.name}_{number}',
                 parameter_overrides=[Parameter(entry.name, value=value)],
             )
             with pytest.raises(ParameterError, match=entry.name) as error:
-                declare(created, (entry,))
+                declare(created, KINDS[node])
             assert '\n' not in str(error.value)
             created.destroy_node()
 
@@ -81,7 +77,7 @@ def test_a_parameter_that_does_not_exist_is_refused_but_for_those_of_every_node(
         created = rclpy.create_node('start_with_another', parameter_overrides=overrides)
         if name == 'max_sped':
             with pytest.raises(ParameterError, match='did you mean max_speed'):
-                declare(created, POLICY_PARAMETERS)
+                declare(created, PolicyParameters)
         else:
-            declare(created, POLICY_PARAMETERS)
+            declare(created, PolicyParameters)
         created.destroy_node()

@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 from socialnav import qos
-from socialnav.parameters import SIMULATOR_PARAMETERS
+from socialnav.parameters.simulator import SimulatorParameters
 from socialnav.programs import INTERRUPTED
 from socialnav_core.simulation import make_scenario
 from socialnav_msgs.msg import EpisodeResult
@@ -35,7 +35,7 @@ WAY_TO = {
     'active': ('configure', 'activate'),
     'finalized': ('shutdown',),
 }
-BRAKING = next(one.default for one in SIMULATOR_PARAMETERS if one.name == 'cmd_vel_timeout')
+BRAKING = SimulatorParameters().cmd_vel_timeout
 """Time without a command after which the simulated robot brakes, s."""
 ALLOWANCE = 0.15
 """Time of a command and of two states, s."""

@@ -8,12 +8,11 @@ from socialnav.messages.conversions import ConversionError
 from socialnav.messages.occupancy import map_message
 from socialnav.messages.sensor_messages import scan_message
 from socialnav.messages.stamps import nanoseconds_of
+from socialnav.parameters.obstacle import ObstacleParameters
 from socialnav.perception.obstacle_finder import ObstacleFinder
-from socialnav.perception.sensor_parameters import OBSTACLE_PARAMETERS
 from socialnav_core.sensing import beam_angles, cast_rays
 
 SECOND = 10**9
-DEFAULTS = {entry.name: entry.default for entry in OBSTACLE_PARAMETERS}
 WALL = 2.0
 """How far ahead the scanner sees something, m."""
 
@@ -38,7 +37,7 @@ def scan(stamp=SECOND, beams=36, ahead=WALL):
 
 
 def finder(**values):
-    result = ObstacleFinder(DEFAULTS | values)
+    result = ObstacleFinder(ObstacleParameters(**values))
     result.store_odometry(odometry())
     return result
 
@@ -156,7 +155,7 @@ def test_a_grid_that_is_not_older_than_its_time_out_is_answered(timeout):
 
 
 def test_without_a_grid_or_odom_or_with_an_old_grid_the_reason_is_told():
-    robot = ObstacleFinder(DEFAULTS | {'source': 'grid', 'grid_timeout': 0.5})
+    robot = ObstacleFinder(ObstacleParameters(source='grid', grid_timeout=0.5))
     with pytest.raises(ConversionError, match='no map'):
         robot.of_grid()
     robot.store_grid(map_message(state_at(), 0, 'odom'))

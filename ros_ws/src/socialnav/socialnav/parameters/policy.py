@@ -1,0 +1,129 @@
+"""Every parameter of the policy node, and what follows from them."""
+
+import dataclasses
+import math
+
+from socialnav.messages.conversions import RobotBody
+from socialnav.parameters import DEFAULT_MODEL
+from socialnav.parameters.fields import parameter
+from socialnav_core.config import KINEMATICS
+from socialnav_core.simulation.kinematics import Limits
+
+STALL_SHARE = 0.8
+"""Part of input_timeout by which a decision may be overdue."""
+
+
+@dataclasses.dataclass(frozen=True)
+class PolicyParameters:
+    """What the policy node, its driver and its controller are told."""
+
+    autostart: bool = parameter(
+        True, 'configure and activate at start, without a lifecycle manager'
+    )
+    model: str = parameter(
+        DEFAULT_MODEL, 'name in the share folder, path, `orca` or `straight_line`',
+        live='inactive',
+    )  # fmt: skip
+    screening: str = parameter(
+        'checkpoint', 'refuse actions after which a collision is certain; checkpoint: as saved',
+        choices=('checkpoint', 'enabled', 'disabled'), live='inactive',
+    )  # fmt: skip
+    screening_horizon: float = parameter(
+        0.0, 'how long the way of escape must stay free; 0: as saved',
+        's', (0.0, 10.0), live='inactive',
+    )  # fmt: skip
+    lockstep: bool = parameter(
+        False, 'decide once per state of a simulator in lockstep', live='inactive'
+    )
+    scenario: str = parameter(
+        'hard', 'world that gives radius, speed and bounds in lockstep', live='inactive'
+    )
+    controller_frequency: float = parameter(
+        10.0, 'decisions per second', 'Hz', (1.0, 100.0), live='inactive'
+    )
+    input_timeout: float = parameter(
+        0.5, 'age of odom or pedestrians at which the robot stops', 's', (0.05, 10.0), live='yes'
+    )
+    obstacles_timeout: float = parameter(
+        0.0, 'age of obstacles at which the robot stops; 0: they do not age',
+        's', (0.0, 3600.0), live='yes',
+    )  # fmt: skip
+    require_obstacles: bool = parameter(False, 'stand until obstacles have come', live='yes')
+    use_map: bool = parameter(
+        False, 'occupied cells of the map near the robot are obstacles; stand without',
+        live='inactive',
+    )  # fmt: skip
+    plan_lookahead_distance: float = parameter(
+        2.0, 'way along a plan to the point that is headed for', 'm', (0.1, 100.0), live='yes'
+    )
+    plan_timeout: float = parameter(
+        0.0, 'age of a plan at which the goal itself is headed for; 0: never',
+        's', (0.0, 3600.0), live='yes',
+    )  # fmt: skip
+    stop_publish_timeout: float = parameter(
+        10.0, 'go silent after nothing but stops for so long; 0: never',
+        's', (0.0, 3600.0), live='yes',
+    )  # fmt: skip
+    bounds: float = parameter(
+        math.inf, 'half-width of the square around the origin not to be left; .inf: none',
+        'm', (0.1, math.inf), live='yes',
+    )  # fmt: skip
+    robot_radius: float = parameter(0.3, 'radius of the robot', 'm', (0.05, 5.0), live='yes')
+    preferred_speed: float = parameter(1.0, 'speed to drive at', 'm/s', (0.05, 5.0), live='yes')
+    kinematics: str = parameter(
+        'holonomic', 'how the robot moves', choices=KINEMATICS, live='inactive'
+    )
+    max_speed: float = parameter(1.0, 'no command is faster', 'm/s', (0.0, 5.0), live='yes')
+    max_acceleration: float = parameter(
+        math.inf, 'no command changes the velocity faster; .inf: no limit',
+        'm/s^2', (0.01, math.inf), live='yes',
+    )  # fmt: skip
+    max_turn_rate: float = parameter(
+        math.pi, 'no command turns faster', 'rad/s', (0.0, 20.0), live='yes'
+    )
+    goal_tolerance: float = parameter(
+        0.3, 'distance to the goal at which it is reached', 'm', (0.01, 5.0), live='yes'
+    )
+    max_agents: int = parameter(
+        20, 'only the nearest so many agents count', '', (1, 1000), live='yes'
+    )
+    planning_frame: str = parameter(
+        'odom', 'frame of decisions; inputs in others need tf2_ros', live='inactive'
+    )
+    base_frame: str = parameter('base_link', 'frame of stamped commands', live='inactive')
+    enable_stamped_cmd_vel: bool = parameter(
+        False, 'TwistStamped instead of Twist; lockstep always does', live='inactive'
+    )
+    device: str = parameter(
+        'cpu', 'where the network is computed', choices=('cpu', 'cuda'), live='inactive'
+    )
+    threads: int = parameter(1, 'threads of a decision', '', (1, 64), live='inactive')
+
+    @property
+    def period(self) -> float:
+        """Return the time between two decisions, s."""
+        return 1 / self.controller_frequency
+
+    @property
+    def stall_timeout(self) -> float:
+        """
+        Return the time without a decision after which something must be wrong, s.
+
+        It ends before input_timeout and a period are over, for the stop must be heard by then.
+        """
+        return self.period + STALL_SHARE * self.input_timeout
+
+    @property
+    def body(self) -> RobotBody:
+        """Return the robot itself."""
+        return RobotBody(self.robot_radius, self.preferred_speed, self.bounds)
+
+    @property
+    def limits(self) -> Limits:
+        """Return what the robot can do."""
+        return Limits(self.max_speed, self.max_acceleration, self.max_turn_rate, self.period)
+
+    @property
+    def stamped(self) -> bool:
+        """Return whether commands are TwistStamped."""
+        return self.lockstep or self.enable_stamped_cmd_vel
