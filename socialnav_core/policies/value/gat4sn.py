@@ -1,21 +1,11 @@
 """GAT4SN: the value network with graph attention of the project's report."""
 
-from collections.abc import Callable
-from functools import partial
-from typing import NamedTuple
-
 import torch
 from torch import nn
 from torch.nn import functional
 
-from socialnav_core.policies.value.graph_attention import attend, AttentionTensors, GraphAttention
-from socialnav_core.policies.value.perceptron import (
-    full_precision,
-    Layer,
-    linear_layers,
-    rectified,
-    scalar,
-)
+from socialnav_core.policies.value.graph_attention import GraphAttention
+from socialnav_core.policies.value.perceptron import apply, full_precision, perceptron
 
 
 class Gat4snValueNetwork(nn.Module):
@@ -44,19 +34,11 @@ class Gat4snValueNetwork(nn.Module):
         :param score: attention score of both layers, see `GraphAttention`.
         """
         super().__init__()
-        self.robot_mlp = nn.Sequential(nn.Linear(6, 100), nn.ReLU(), nn.Linear(100, 50), nn.ReLU())
-        self.other_mlp = nn.Sequential(nn.Linear(7, 100), nn.ReLU(), nn.Linear(100, 50), nn.ReLU())
+        self.robot_mlp = perceptron(6, 100, 50, last_relu=True)
+        self.other_mlp = perceptron(7, 100, 50, last_relu=True)
         self.hidden_attention = GraphAttention(50, 50, heads, score)
         self.output_attention = GraphAttention(50 * heads, 75, 1, score)
-        self.value = nn.Sequential(
-            nn.Linear(150, 150),
-            nn.ReLU(),
-            nn.Linear(150, 100),
-            nn.ReLU(),
-            nn.Linear(100, 100),
-            nn.ReLU(),
-            nn.Linear(100, 1),
-        )
+        self.value = perceptron(150, 150, 100, 100, 1)
 
     def forward(
         self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
@@ -68,7 +50,12 @@ class Gat4snValueNetwork(nn.Module):
         :param others: the other agents' features, ignored where invalid, shape (batch, agents, 7).
         :param mask: true where an agent exists, bool, shape (batch, agents).
         """
-        return _value(self._tensors(), robot, others, mask)
+        robot_row, other_rows, _ = self._attend(robot, others, mask)
+        # Rows of invalid agents are zero, and ELU keeps them so.
+        crowd = functional.elu_(other_rows).sum(dim=1)
+        graph = torch.cat([functional.elu_(robot_row), crowd], dim=1).to(robot.dtype)
+        with full_precision(robot):
+            return apply(graph, self.value).squeeze(1)
 
     def attention_weights(
         self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
@@ -77,60 +64,17 @@ class Gat4snValueNetwork(nn.Module):
         Return the output head's weight of each agent, shape (batch, agents).
 
         Weights of a sample sum to one over its valid agents and are zero elsewhere. The hidden
-        heads have weights of their own, which act before these.
-
-        :param robot: the robot's features, shape (batch, 6).
-        :param others: the other agents' features, shape (batch, agents, 7).
-        :param mask: true where an agent exists, bool, shape (batch, agents).
+        heads have weights of their own, which act before these. Inputs are those of `forward`.
         """
-        return _attend(self._tensors(), robot, others, mask)[2].squeeze(1)
+        return self._attend(robot, others, mask)[2].squeeze(1)
 
-    def prepared(self) -> Callable[..., torch.Tensor]:
-        """Return `forward` with the parameters looked up; it sees changes made in place."""
-        return partial(_value, self._tensors())
-
-    def _tensors(self) -> '_Tensors':
-        """Return views of all parameters."""
-        return _Tensors(
-            robot_mlp=linear_layers(self.robot_mlp),
-            other_mlp=linear_layers(self.other_mlp),
-            hidden_attention=self.hidden_attention.tensors(),
-            output_attention=self.output_attention.tensors(),
-            value=linear_layers(self.value),
-        )
-
-
-class _Tensors(NamedTuple):
-    """The parameters as the equations use them."""
-
-    robot_mlp: list[Layer]
-    other_mlp: list[Layer]
-    hidden_attention: AttentionTensors
-    output_attention: AttentionTensors
-    value: list[Layer]
-
-
-def _value(
-    tensors: _Tensors, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
-) -> torch.Tensor:
-    """Return the value of each sample, shape (batch,)."""
-    robot_row, other_rows, _ = _attend(tensors, robot, others, mask)
-    # Rows of invalid agents are zero, and ELU keeps them so.
-    crowd = functional.elu_(other_rows).sum(dim=1)
-    graph = torch.cat([functional.elu_(robot_row), crowd], dim=1).to(robot.dtype)
-    with full_precision(robot):
-        return scalar(graph, tensors.value)
-
-
-def _attend(
-    tensors: _Tensors, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
-) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
-    """Return what the output attention returns: robot's row, agents' rows and weights."""
-    valid_others = others.masked_fill(~mask[:, :, None], 0.0)  # padding may hold anything
-    robot_row = rectified(robot, tensors.robot_mlp)  # once per sample, not once per pair
-    other_rows = rectified(valid_others.flatten(0, 1), tensors.other_mlp)
-    robot_row, other_rows, _ = attend(
-        tensors.hidden_attention, robot_row, other_rows.view(*mask.shape, 50), mask
-    )
-    robot_row, other_rows = functional.elu_(robot_row), functional.elu_(other_rows)
-    return attend(tensors.output_attention, robot_row, other_rows, mask)
+    def _attend(
+        self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
+    ) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
+        """Return what the output attention returns: robot's row, agents' rows and weights."""
+        valid_others = others.masked_fill(~mask[:, :, None], 0.0)  # padding may hold anything
+        robot_row = apply(robot, self.robot_mlp)  # once per sample, not once per pair
+        other_rows = apply(valid_others.flatten(0, 1), self.other_mlp).view(*mask.shape, 50)
+        robot_row, other_rows, _ = self.hidden_attention(robot_row, other_rows, mask)
+        robot_row, other_rows = functional.elu_(robot_row), functional.elu_(other_rows)
+        return self.output_attention(robot_row, other_rows, mask)

@@ -1,7 +1,5 @@
 """The masked dense graph-attention layer between the robot and the agents around it."""
 
-from typing import NamedTuple
-
 import torch
 from torch import nn
 from torch.nn import functional
@@ -85,51 +83,21 @@ class GraphAttention(nn.Module):
         :param mask: true where an agent exists, bool, shape (batch, agents).
         :returns: the three tensors described above.
         """
-        return attend(self.tensors(), robot, others, mask)
-
-    def tensors(self) -> 'AttentionTensors':
-        """Return views of the parameters for `attend`."""
-        return AttentionTensors(
-            self.weight, self.attention, self.weight.flatten(0, 1).t(), self.score
-        )
-
-
-class AttentionTensors(NamedTuple):
-    """The parameters of a layer as `attend` uses them; views show changes made in place."""
-
-    weight: torch.Tensor
-    """W of all heads, shape (heads, output_size, input_size)."""
-    attention: torch.Tensor
-    """The vectors a of all heads."""
-    projection: torch.Tensor
-    """W of all heads as one matrix, shape (input_size, heads * output_size)."""
-    score: str
-    """Name of the score."""
-
-
-def attend(
-    tensors: AttentionTensors, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
-) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
-    """
-    Return what `GraphAttention.forward` returns.
-
-    :param tensors: parameters of the layer.
-    :param robot: shape (batch, input_size).
-    :param others: shape (batch, agents, input_size).
-    :param mask: true where an agent exists, bool, shape (batch, agents).
-    """
-    heads, output_size, _ = tensors.weight.shape
-    # All heads are one product.
-    robot_rows = torch.mm(robot, tensors.projection)
-    other_rows = torch.mm(others.flatten(0, 1), tensors.projection)
-    other_rows = other_rows.view(*mask.shape, heads, output_size)
-    if tensors.score == 'gatv2':
-        scores = _dynamic_scores(tensors.attention, robot_rows, other_rows)
-    else:
-        scores = _static_scores(tensors, robot, others)
-    weights = masked_softmax(scores.transpose(1, 2), mask[:, None])
-    weighted = _weighted(other_rows, weights.transpose(1, 2)[..., None])
-    return robot_rows, weighted.flatten(2), weights
+        weight = self.weight
+        heads, output_size, _ = weight.shape
+        projection = weight.flatten(0, 1).t()  # all heads are one product
+        robot_rows = torch.mm(robot, projection)
+        other_rows = torch.mm(others.flatten(0, 1), projection)
+        other_rows = other_rows.view(*mask.shape, heads, output_size)
+        if self.score == 'gatv2':
+            scores = _dynamic_scores(self.attention, robot_rows, other_rows)
+        else:
+            scores = _static_scores(weight, self.attention, robot, others)
+            if self.score == 'gat':
+                scores = functional.leaky_relu_(scores, NEGATIVE_SLOPE)
+        weights = masked_softmax(scores.transpose(1, 2), mask[:, None])
+        weighted = _weighted(other_rows, weights.transpose(1, 2)[..., None])
+        return robot_rows, weighted.flatten(2), weights
 
 
 def _weighted(rows: torch.Tensor, weights: torch.Tensor) -> torch.Tensor:
@@ -140,18 +108,15 @@ def _weighted(rows: torch.Tensor, weights: torch.Tensor) -> torch.Tensor:
 
 
 def _static_scores(
-    tensors: AttentionTensors, robot: torch.Tensor, others: torch.Tensor
+    weight: torch.Tensor, attention: torch.Tensor, robot: torch.Tensor, others: torch.Tensor
 ) -> torch.Tensor:
-    """Return the scores of 'gat' and 'linear', shape (batch, agents, heads)."""
-    heads, output_size, _ = tensors.weight.shape
+    """Return a^T [W h_r || W h_i], shape (batch, agents, heads)."""
+    heads, output_size, _ = weight.shape
     # a^T (W h) is computed as (W^T a)^T h: one number per head in place of a whole row.
-    halves = tensors.attention.view(heads, 2, output_size)
-    robot_vector, other_vector = torch.bmm(halves, tensors.weight).unbind(1)  # (heads, input)
+    halves = attention.view(heads, 2, output_size)
+    robot_vector, other_vector = torch.bmm(halves, weight).unbind(1)  # (heads, input)
     other_part = torch.mm(others.flatten(0, 1), other_vector.t()).view(*others.shape[:2], heads)
-    scores = other_part + torch.mm(robot, robot_vector.t())[:, None]
-    if tensors.score == 'linear':
-        return scores
-    return functional.leaky_relu_(scores, NEGATIVE_SLOPE)
+    return other_part + torch.mm(robot, robot_vector.t())[:, None]
 
 
 def _dynamic_scores(

@@ -19,8 +19,7 @@ class ValueInference:
     Computes values from NumPy arrays, without gradients, with the network's weights as they are.
 
     Weights may change between two calls: by an optimiser, by `load_state_dict`, or by moving the
-    network to another device. A network whose parameters are replaced by other objects needs a
-    new `ValueInference`.
+    network to another device.
 
     A few rows (the actions of one decision) take one pass in float32; many rows are computed in
     chunks, with bfloat16 products where asked for. Those lose little value, but choose another
@@ -31,14 +30,12 @@ class ValueInference:
         """
         Keep the network.
 
-        :param network: a value network with `prepared` and `attention_weights`.
+        :param network: a value network, with `attention_weights` beside `forward`.
         :param bfloat16: whether products are in bfloat16 from BFLOAT16_CHUNK rows on.
         """
         self.network = network
         self.bfloat16 = bfloat16
-        self._parameters = list(network.parameters())
-        self._places: list[int] = []
-        self._forward: Callable[..., torch.Tensor] = network.forward
+        self._some_parameter = next(network.parameters())  # tells the device, wherever it goes
 
     def values(self, robot: np.ndarray, others: np.ndarray, mask: np.ndarray) -> np.ndarray:
         """
@@ -50,9 +47,8 @@ class ValueInference:
         """
         rows = len(robot)
         low = self.bfloat16 and rows >= BFLOAT16_CHUNK
-        device = self._parameters[0].device
+        device, forward = self._some_parameter.device, self.network.forward
         with torch.inference_mode():
-            forward = self._current_forward()
             inputs = [torch.from_numpy(array) for array in (robot, others, mask)]
             if device.type != 'cpu':
                 moved = [tensor.to(device) for tensor in inputs]
@@ -74,14 +70,6 @@ class ValueInference:
             device = device_of(self.network)
             arrays = (torch.from_numpy(a).to(device) for a in (seen.robot, seen.others, seen.mask))
             return self.network.attention_weights(*arrays).cpu().numpy()  # type: ignore[operator]
-
-    def _current_forward(self) -> Callable[..., torch.Tensor]:
-        """Return the prepared network, prepared again where a parameter has moved in memory."""
-        places = [parameter.data_ptr() for parameter in self._parameters]
-        if places != self._places:
-            self._forward = self.network.prepared()  # type: ignore[operator]
-            self._places = places
-        return self._forward
 
 
 def device_of(network: nn.Module) -> torch.device:

@@ -1,31 +1,23 @@
-"""Laws of perceptrons on plain tensors."""
+"""Laws of perceptrons."""
 
+import pytest
 import torch
 from torch import nn
 
-from socialnav_core.policies.value.perceptron import (
-    full_precision,
-    linear_layers,
-    rectified,
-    rectify,
-    scalar,
-)
+from socialnav_core.policies.value.perceptron import apply, full_precision, perceptron, rectify
 
 
-def _modules() -> nn.Sequential:
+@pytest.mark.parametrize('last_relu', [False, True])
+def test_rows_come_out_as_the_modules_return_them(last_relu):
     torch.manual_seed(0)
-    return nn.Sequential(nn.Linear(3, 5), nn.ReLU(), nn.Linear(5, 1))
+    modules, rows = perceptron(3, 5, 1, last_relu=last_relu), torch.randn(4, 3)
+    torch.testing.assert_close(apply(rows, modules), modules(rows))
 
 
-def test_scalar_is_what_the_modules_return():
-    modules, rows = _modules(), torch.randn(4, 3)
-    torch.testing.assert_close(scalar(rows, linear_layers(modules)), modules(rows)[:, 0])
-
-
-def test_rectified_has_a_relu_after_the_last_layer_too():
-    modules, rows = _modules(), torch.randn(4, 3)
-    expected = torch.relu(modules(rows))
-    torch.testing.assert_close(rectified(rows, linear_layers(modules)), expected)
+def test_a_relu_follows_every_layer_but_the_last_unless_it_is_asked_for():
+    kinds = [type(module) for module in perceptron(3, 5, 1)]
+    assert kinds == [nn.Linear, nn.ReLU, nn.Linear]
+    assert [type(module) for module in perceptron(3, 5, 1, last_relu=True)] == [*kinds, nn.ReLU]
 
 
 def test_every_bfloat16_is_rectified_alike_with_and_without_gradients():
@@ -35,14 +27,6 @@ def test_every_bfloat16_is_rectified_alike_with_and_without_gradients():
         assert torch.equal(rectify(numbers.clone()), torch.relu(numbers))
     with torch.enable_grad():
         assert torch.equal(rectify(numbers.clone()), torch.relu(numbers))
-
-
-def test_layers_show_a_change_of_the_weights_made_in_place():
-    modules, rows = _modules(), torch.randn(4, 3)
-    layers = linear_layers(modules)
-    with torch.no_grad():
-        modules[0].weight.mul_(2.0)
-    torch.testing.assert_close(scalar(rows, layers), modules(rows)[:, 0])
 
 
 def test_products_are_in_float32_within_autocast_where_full_precision_is_asked_for():
