@@ -6,11 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from socialnav_core.config import Config, ConfigError, TrainingConfig
-from socialnav_core.policies.value.checkpoint import (
-    atomic_write,
-    checkpoint_digest,
-    load_checkpoint,
-)
+from socialnav_core.policies.value.checkpoint import checkpoint_digest, load_checkpoint
+from socialnav_core.storage import atomic_write
 from socialnav_core.training.progress import CSV_NAME
 
 METRICS_NAME = 'metrics.json'
