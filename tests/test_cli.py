@@ -65,6 +65,7 @@ def checkpoint(tmp_path_factory):
 
 COMMANDS = (
     'train', 'evaluate', 'compare', 'render', 'benchmark', 'models', 'scenarios', 'reproduce',
+    'train-prediction', 'evaluate-prediction',
 )  # fmt: skip
 
 

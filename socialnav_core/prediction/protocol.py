@@ -1,4 +1,4 @@
-"""What every prediction of the people around the robot is."""
+"""What every prediction of people is."""
 
 import dataclasses
 from typing import Protocol
@@ -10,34 +10,26 @@ from socialnav_core.states import CrowdState
 
 @dataclasses.dataclass
 class Prediction:
-    """Where the agents of each world will be, in one or several modes."""
+    """Where agents will be, in one or more ways that the future may take (modes)."""
 
     positions: np.ndarray
-    """Expected centres at the times asked for, m, (batch, modes, steps, agents, 2)."""
+    """Centres at the times asked for, m, (batch, modes, steps, agents, 2)."""
     deviations: np.ndarray
-    """Standard deviations along each axis, m, (batch, modes, steps, agents)."""
+    """Standard deviation along each axis, m, (batch, modes, steps, agents)."""
     weights: np.ndarray
-    """Probabilities of the modes, which sum to one, (batch, modes)."""
+    """Probabilities of the modes, sum to one, (batch, modes)."""
 
 
 class Predictor(Protocol):
-    """Says where people will be; it may remember where they were."""
+    """Says where the agents of each world will be."""
 
     knowledge: str
-    """deployable: sees what a robot sees; model-matched: knows the simulator's laws; oracle."""
+    """What it knows: deployable (what a robot can), model-matched (how people move), or oracle."""
 
     def predict(self, state: CrowdState, times: np.ndarray) -> Prediction:
-        """
-        Return where the agents of a state will be.
-
-        :param times: from the time of the state, s, (steps,).
-        """
+        """Return where the agents will be at some times ahead, s, (steps,)."""
         ...
 
     def reset(self, worlds: np.ndarray | None = None) -> None:
-        """
-        Forget the history of some worlds.
-
-        :param worlds: indices or a mask; None for all.
-        """
+        """Forget the history of some worlds, of all where none are named."""
         ...
