@@ -15,6 +15,7 @@ from socialnav_core.simulation.rewards import Outcome, reward_settings, step_out
 from socialnav_core.states import CrowdState
 
 NONE, TIMEOUT = int(Outcome.NONE), int(Outcome.TIMEOUT)  # arrays compare with plain numbers faster
+CROWD_PREFIX = 'crowd.'
 AUTORESETS = ('same_step', 'disabled')
 LAYOUT_FIELDS = ('name', 'obstacle_radius_min', 'obstacle_radius_max', 'hardest_obstacle_ratio')
 
@@ -182,7 +183,7 @@ class Simulator:
     def get_state(self) -> dict[str, np.ndarray]:
         """Return all that is needed to go on from here, as arrays of their own."""
         arrays = {'decided': self._decided, 'until_decision': self._until_decision}
-        crowd = {f'crowd.{name}': array for name, array in self._crowd.get_state().items()}
+        crowd = {CROWD_PREFIX + name: array for name, array in self._crowd.get_state().items()}
         everything = arrays | self._episodes.arrays() | crowd
         return {name: array.copy() for name, array in everything.items()}
 
@@ -195,7 +196,11 @@ class Simulator:
         self._decided = arrays['decided'].copy()
         self._until_decision = arrays['until_decision'].copy()
         self._episodes.restore(arrays)
-        self._crowd.set_state({name.removeprefix('crowd.'): arrays[name] for name in arrays})
+        self._crowd.set_state({
+            name.removeprefix(CROWD_PREFIX): array
+            for name, array in arrays.items()
+            if name.startswith(CROWD_PREFIX)
+        })  # fmt: skip
 
     def _checked(self, command: np.ndarray) -> np.ndarray:
         """Return the command as float64, or raise ValueError."""

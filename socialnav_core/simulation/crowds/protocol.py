@@ -51,11 +51,7 @@ class Crowd(Protocol):
         ...
 
     def set_state(self, arrays: dict[str, np.ndarray]) -> None:
-        """
-        Go on from where `get_state` was called.
-
-        :param arrays: as returned by `get_state`; others may be among them.
-        """
+        """Go on from where `get_state` returned these arrays."""
         ...
 
 
