@@ -9,7 +9,6 @@ from socialnav_core.commands.arguments import (
     add_overwrite_option,
     add_world_options,
     positive_number,
-    progress_bar,
 )
 from socialnav_core.commands.choices import BASELINES, chosen_scenario, open_policy
 from socialnav_core.commands.files import require_new, write_json
@@ -86,11 +85,9 @@ def measure(model: str, policy: Any, scenario: Scenario, given: argparse.Namespa
     """
     from socialnav_core.evaluation import evaluate
 
-    with progress_bar(given.episodes, model) as bar:
-        return evaluate(
-            policy, scenario, given.episodes, given.seed, given.split, name=model,
-            progress=bar.update,
-        )  # fmt: skip
+    return evaluate(
+        policy, scenario, given.episodes, given.seed, given.split, name=model, progress=True
+    )
 
 
 def described(result: Any, given: argparse.Namespace) -> dict[str, Any]:

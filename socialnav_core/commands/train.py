@@ -3,7 +3,6 @@
 import argparse
 import functools
 from pathlib import Path
-import sys
 from typing import Any
 
 from socialnav_core.commands.arguments import (
@@ -66,7 +65,6 @@ def run(given: argparse.Namespace) -> None:
         resume=given.resume,
         overwrite=given.overwrite,
         evaluate=functools.partial(validate, name=config.name, seed=config.seed),
-        progress=sys.stderr.isatty(),
     )
     print(f'{out}: trained; measure it with socialnav evaluate {out} --scenario NAME')
 
@@ -83,6 +81,8 @@ def validate(policy: Any, scenario: Any, name: str, seed: int) -> dict[str, Any]
     from socialnav_core.evaluation import evaluate
     from socialnav_core.evaluation.report import evaluation_text
 
-    result = evaluate(policy, scenario, VALIDATION_EPISODES, seed, 'validation', name=name)
+    result = evaluate(
+        policy, scenario, VALIDATION_EPISODES, seed, 'validation', name=name, progress=True
+    )
     print(evaluation_text(result))
     return result.to_mapping()

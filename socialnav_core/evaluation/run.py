@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config import require, Scenario
 from socialnav_core.evaluation.metrics import (
     case_mappings,
@@ -17,6 +18,7 @@ from socialnav_core.evaluation.metrics import (
 )
 from socialnav_core.evaluation.statistics import wilson_interval
 from socialnav_core.policies.protocol import attach_oracle, require_same_kinematics
+from socialnav_core.progress import progress_bar
 from socialnav_core.simulation import Simulator
 from socialnav_core.states import CrowdState
 
@@ -89,7 +91,7 @@ def evaluate(
     split: str = 'test',
     batch_size: int = BATCH_SIZE,
     name: str = '',
-    progress: Callable[[int], None] | None = None,
+    progress: Callable[[int], None] | bool = False,
 ) -> EvaluationResult:
     """
     Run the cases 0 to episodes - 1, each exactly once.
@@ -101,9 +103,15 @@ def evaluate(
     :param split: train, validation or test.
     :param batch_size: worlds that are run side by side.
     :param name: name of the policy in the result.
-    :param progress: called with the number of episodes that have just ended.
+    :param progress: whether to say on stderr how it goes; or what to call instead, with the number
+        of episodes that have just ended.
     :raises ConfigError: when the policy drives another kind of robot, or for no episodes.
     """
+    if progress is True:
+        with progress_bar(episodes, name or 'evaluation') as bar:
+            report = bar.update
+            return evaluate(policy, scenario, episodes, seed, split, batch_size, name, report)
+    keep_freed_memory()
     require(episodes >= 1, f'the number of episodes must be at least 1, not {episodes}')
     require_same_kinematics(policy, scenario)
     records = empty_records(np.arange(episodes))
@@ -122,7 +130,7 @@ def evaluate(
         ended = np.flatnonzero(terminated | truncated)
         _keep(records, ended, info | {'intrusions': intrusions})
         intrusions[ended] = 0
-        if progress is not None and len(ended):
+        if callable(progress) and len(ended):
             progress(len(ended))
     config = getattr(policy, 'config', None)
     return EvaluationResult(

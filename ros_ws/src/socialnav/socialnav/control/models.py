@@ -15,6 +15,7 @@ from socialnav.messages.conversions import RobotBody
 from socialnav_core.config import ConfigError
 from socialnav_core.policies import load_policy, Policy, ValuePolicy
 from socialnav_core.states import Agents, CrowdState, Robot
+from socialnav_core.threads import set_threads
 
 BASELINES = ('orca', 'straight_line')
 """Policies that are no models: nothing is looked up for them."""
@@ -32,6 +33,7 @@ def ready_policy(values: dict[str, Any], settings: ControllerSettings) -> Policy
     :raises ValueError: no such model, a damaged one, or one for another kind of robot.
     """
     torch.set_num_threads(values['threads'])
+    set_threads(values['threads'])
     policy = load_policy(
         installed(values['model']),
         lookahead=None if values['model'] in BASELINES else 'constant_velocity',
