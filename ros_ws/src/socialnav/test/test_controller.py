@@ -356,7 +356,9 @@ def test_in_lockstep_a_repeated_state_gets_the_same_answer_without_a_decision(po
 
 def test_in_lockstep_nothing_ages_and_nothing_is_extrapolated(policy):
     controller_of(policy, LOCKSTEP).decide(99 * SECOND)
-    np.testing.assert_array_equal(policy.states[0].agents.position, random_state(0).agents.position)
+    np.testing.assert_array_equal(
+        policy.states[0].agents.position, random_state(0).agents.position
+    )
 
 
 def test_in_lockstep_a_break_of_the_clock_begins_a_new_run(policy):
