@@ -11,7 +11,7 @@ from socialnav_core.commands.arguments import (
     positive_number,
 )
 from socialnav_core.commands.choices import BASELINES, chosen_scenario, open_policy
-from socialnav_core.commands.files import require_new, write_json
+from socialnav_core.commands.files import require_new, require_own, write_json
 from socialnav_core.config import ConfigError, Scenario
 from socialnav_core.config.mapping import parse_assignments
 
@@ -64,8 +64,8 @@ def run(given: argparse.Namespace) -> None:
     require_plain_settings(given)
     scenario = chosen_scenario(given)
     policy = open_policy(given.model, given)
-    if given.card and not given.overwrite:
-        require_no_better_card(policy, scenario, given)
+    if given.card:
+        require_card(policy, scenario, given)
     result = measure(given.model, policy, scenario, given)
     print(evaluation_text(result))
     values = described(result, given)
@@ -120,9 +120,12 @@ def require_plain_settings(given: argparse.Namespace) -> None:
         raise ConfigError('a card holds results of unchanged settings: drop --set or --card')
 
 
-def require_no_better_card(policy: Any, scenario: Scenario, given: argparse.Namespace) -> None:
+def require_card(policy: Any, scenario: Scenario, given: argparse.Namespace) -> None:
     """
-    Raise a ConfigError when the card of a model has a better result of the same kind.
+    Raise a ConfigError when a result must not be written into the card of a model.
+
+    Cards of an installed package stay as they are, and so do those that hold a better result of
+    the same kind, unless `--overwrite` is given.
 
     :param policy: a ValuePolicy.
     :param scenario: the world.
@@ -131,12 +134,16 @@ def require_no_better_card(policy: Any, scenario: Scenario, given: argparse.Name
     from socialnav_core.policies.loading import find_model
     from socialnav_core.training.model_card import require_no_better
 
+    folder = find_model(given.model)
+    require_own(folder)
+    if given.overwrite:
+        return
     planned = {
         'scenario': scenario.name, 'lookahead': policy.config.lookahead,
         'screening': policy.config.screening.enabled, 'split': given.split,
         'episodes': given.episodes,
     }  # fmt: skip
-    require_no_better(find_model(given.model), planned)
+    require_no_better(folder, planned)
 
 
 def update_card(model: str, values: dict[str, Any]) -> None:

@@ -5,14 +5,12 @@ import os
 from pathlib import Path
 
 from socialnav_core.config import ConfigError, require
+from socialnav_core.places import MODELS
 from socialnav_core.policies.orca import OrcaPolicy
 from socialnav_core.policies.protocol import Policy
 from socialnav_core.policies.straight_line import StraightLinePolicy
 from socialnav_core.policies.value.checkpoint import load_checkpoint, WEIGHTS
 from socialnav_core.policies.value.lookahead import ValuePolicy
-
-MODELS = Path(__file__).parents[2] / 'models'
-"""Checkpoints of a checkout; an installed package has none and takes folders only."""
 
 
 def load_policy(

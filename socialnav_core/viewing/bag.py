@@ -3,12 +3,14 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from mcap_ros2.writer import Writer
-
+from socialnav_core.extras import extra
 from socialnav_core.viewing import bag_messages as messages
 from socialnav_core.viewing.bag_markers import world_markers
 from socialnav_core.viewing.recording import Recording
 from socialnav_core.viewing.ros2msg import schema_of
+
+with extra('bag'):
+    from mcap_ros2.writer import Writer
 
 START = 10**9
 """Time of the first state, ns; a stamp of zero means to many tools that there is none."""
