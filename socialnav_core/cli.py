@@ -7,6 +7,7 @@ import os
 import sys
 from typing import Any
 
+from socialnav_core import __version__
 from socialnav_core.commands import (
     benchmark,
     compare,
@@ -20,6 +21,7 @@ from socialnav_core.commands import (
 )
 from socialnav_core.commands.arguments import CommandFailure, Parser
 from socialnav_core.config import ConfigError
+from socialnav_core.extras import MissingExtra
 
 COMMANDS = (
     train, evaluate, compare, render, benchmark, models, scenarios, train_prediction,
@@ -61,6 +63,7 @@ def build_parser() -> argparse.ArgumentParser:
         description='Train, evaluate and watch robots that find their way among people.',
         epilog='`socialnav COMMAND --help` shows the options of a command and examples.',
     )
+    parser.add_argument('--version', action='version', version=f'socialnav {__version__}')
     commands = parser.add_subparsers(metavar='COMMAND', required=True)
     for module in (*COMMANDS, *other_commands()):
         module.add_parser(commands)
@@ -78,7 +81,7 @@ def expected_failures() -> tuple[type[Exception], ...]:
     from socialnav_core.policies import CheckpointError
     from socialnav_core.training import TrainingInterrupted
 
-    return (CheckpointError, CommandFailure, TrainingInterrupted, OSError)
+    return (CheckpointError, CommandFailure, MissingExtra, TrainingInterrupted, OSError)
 
 
 def complain(given: argparse.Namespace, error: object, code: int) -> int:

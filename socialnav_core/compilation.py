@@ -1,15 +1,17 @@
 """Compilation of kernels by numba, cached on disk until any source of the package changes."""
 
 from collections.abc import Callable
+import contextlib
 import functools
 import hashlib
 import os
 from pathlib import Path
 from typing import Any
+import warnings
 
 import numba
 
-PACKAGE = Path(__file__).parent
+from socialnav_core.places import CHECKOUT, PACKAGE
 
 
 def compiled(function: Callable[..., Any]) -> Any:
@@ -26,17 +28,32 @@ def compiled(function: Callable[..., Any]) -> Any:
     before = settings.CACHE_DIR
     settings.CACHE_DIR = str(cache_folder())
     try:
-        return numba.njit(cache=True, nogil=True, error_model='numpy')(function)
+        return numba.njit(cache=cache_is_writable(), nogil=True, error_model='numpy')(function)
     finally:
         settings.CACHE_DIR = before
 
 
 @functools.cache
+def cache_is_writable() -> bool:
+    """Return whether compiled code can be kept; warn where not, since that costs a minute."""
+    folder = cache_folder()
+    with contextlib.suppress(OSError):
+        folder.mkdir(parents=True, exist_ok=True)
+    writable = os.access(folder, os.W_OK)
+    if not writable:
+        warnings.warn(
+            f'{folder} cannot be written, so kernels are compiled anew in every process: '
+            'let NUMBA_CACHE_DIR name another folder', stacklevel=2,
+        )  # fmt: skip
+    return writable
+
+
+@functools.cache
 def cache_folder() -> Path:
-    """Return where compiled code is kept: beside the sources, or in the user's cache."""
+    """Return where compiled code is kept: beside a checkout's sources, or in the user's cache."""
     if os.environ.get('NUMBA_CACHE_DIR'):
         return Path(os.environ['NUMBA_CACHE_DIR']) / sources_digest()
-    if os.access(PACKAGE, os.W_OK):
+    if CHECKOUT is not None and os.access(PACKAGE, os.W_OK):
         return PACKAGE / '__pycache__' / 'kernels' / sources_digest()
     user = os.environ.get('XDG_CACHE_HOME') or Path.home() / '.cache'
     return Path(user) / 'socialnav' / 'kernels' / sources_digest()

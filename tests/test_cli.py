@@ -9,8 +9,8 @@ from PIL import Image
 import pytest
 import torch
 
-from socialnav_core import cli
-from socialnav_core.commands import arguments
+from socialnav_core import __version__, cli
+from socialnav_core.commands import arguments, files
 from socialnav_core.commands.models import headline
 from socialnav_core.config import Config, PolicyConfig
 from socialnav_core.policies import build_network
@@ -75,6 +75,11 @@ COMMANDS = (
 def test_every_command_has_help_with_examples(command, capsys):
     assert run(command, '--help') == 0
     assert f'examples:\n  socialnav {command}' in capsys.readouterr().out
+
+
+def test_the_version_is_printed(capsys):
+    assert run('--version') == 0
+    assert capsys.readouterr().out == f'socialnav {__version__}\n'
 
 
 def test_help_names_every_command(capsys):
@@ -261,6 +266,14 @@ def test_a_card_keeps_more_cases_and_those_of_the_test_split(failing, checkpoint
     assert run(*words, 2, '--split', 'validation', '--overwrite') == 0
     kept = json.loads((checkpoint / 'metrics.json').read_text())['circle']
     assert (kept['episodes'], kept['split']) == (2, 'validation')
+
+
+def test_the_card_of_a_model_of_an_installed_package_stays_as_it_is(
+    failing, checkpoint, monkeypatch
+):
+    monkeypatch.setattr(files, 'CHECKOUT', None)
+    monkeypatch.setattr(files, 'MODELS', checkpoint.parent)
+    assert 'copy it' in failing(2, 'evaluate', checkpoint, *QUICK, '--card', '--overwrite')
 
 
 def test_a_headline_names_the_split_where_it_is_not_test():

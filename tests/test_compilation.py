@@ -19,9 +19,11 @@ def package(tmp_path, monkeypatch):
     (tmp_path / 'simulation' / 'kernel.py').write_text('@compiled\ndef one(): return 1\n')
     monkeypatch.setattr(compilation, 'PACKAGE', tmp_path)
     monkeypatch.delenv('NUMBA_CACHE_DIR', raising=False)
-    compilation.cache_folder.cache_clear()
+    for function in (compilation.cache_folder, compilation.cache_is_writable):
+        function.cache_clear()
     yield tmp_path
-    compilation.cache_folder.cache_clear()
+    for function in (compilation.cache_folder, compilation.cache_is_writable):
+        function.cache_clear()
 
 
 def test_a_change_of_any_kernel_makes_another_cache(package):
@@ -44,6 +46,21 @@ def test_a_package_that_cannot_be_written_to_is_cached_for_the_user(package, mon
     monkeypatch.setattr(os, 'access', lambda *_: False)
     monkeypatch.setenv('XDG_CACHE_HOME', str(package / 'cache'))
     assert compilation.cache_folder().parts[-4:-1] == ('cache', 'socialnav', 'kernels')
+
+
+def test_an_installed_package_is_cached_for_the_user(package, monkeypatch):
+    monkeypatch.setattr(compilation, 'CHECKOUT', None)
+    monkeypatch.setenv('XDG_CACHE_HOME', str(package / 'cache'))
+    assert compilation.cache_folder().parts[-4:-1] == ('cache', 'socialnav', 'kernels')
+
+
+def test_where_nothing_can_be_kept_kernels_are_compiled_all_the_same(package, monkeypatch):
+    (package / 'file').write_text('')
+    monkeypatch.setattr(compilation, 'CHECKOUT', None)
+    monkeypatch.setenv('XDG_CACHE_HOME', str(package / 'file'))
+    with pytest.warns(UserWarning, match='NUMBA_CACHE_DIR'):
+        negate = compilation.compiled(lambda x: -x)
+    assert negate(3) == -3
 
 
 def test_a_compiled_function_leaves_other_users_of_numba_alone():

@@ -3,7 +3,6 @@
 import argparse
 from collections.abc import Callable
 import math
-import sys
 from typing import Any, NoReturn
 
 SPLITS = ('train', 'validation', 'test')
@@ -161,18 +160,3 @@ def distance(text: str) -> float:
     if not 0 <= number < math.inf:
         raise argparse.ArgumentTypeError(f'{text!r} is no distance of at least 0 m')
     return number
-
-
-def progress_bar(total: int, description: str) -> Any:
-    """
-    Return a progress bar on stderr, silent where that is no terminal.
-
-    :param total: number of episodes.
-    :param description: what is under way.
-    """
-    from tqdm import tqdm
-
-    return tqdm(
-        total=total, desc=description, unit='episode', leave=False, dynamic_ncols=True,
-        disable=not sys.stderr.isatty(),
-    )  # fmt: skip

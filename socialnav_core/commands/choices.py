@@ -21,8 +21,10 @@ def use_threads(given: argparse.Namespace) -> None:
     import torch
 
     from socialnav_core.allocator import keep_freed_memory
+    from socialnav_core.threads import set_threads
 
     keep_freed_memory()
+    set_threads(given.threads)
     torch.set_num_threads(given.threads)
 
 

@@ -11,7 +11,6 @@ from socialnav_core.commands.arguments import (
     add_world_options,
     MODEL_HELP,
     positive_number,
-    progress_bar,
 )
 from socialnav_core.commands.choices import (
     chosen_overrides,
@@ -19,7 +18,7 @@ from socialnav_core.commands.choices import (
     open_policy,
     use_threads,
 )
-from socialnav_core.commands.files import require_new, write_json
+from socialnav_core.commands.files import require_new, require_own, write_json
 from socialnav_core.config import ConfigError, Scenario
 from socialnav_core.config.mapping import parse_assignments
 
@@ -93,11 +92,9 @@ def measure(model: str, policy: 'Policy', scenario: Scenario, given: argparse.Na
     """
     from socialnav_core.evaluation import evaluate
 
-    with progress_bar(given.episodes, model) as bar:
-        return evaluate(
-            policy, scenario, given.episodes, given.seed, given.split, name=model,
-            progress=bar.update,
-        )  # fmt: skip
+    return evaluate(
+        policy, scenario, given.episodes, given.seed, given.split, name=model, progress=True
+    )
 
 
 def described(result: Any, given: argparse.Namespace) -> dict[str, Any]:
@@ -164,4 +161,5 @@ def open_card(given: argparse.Namespace) -> Card:
         raise ConfigError('a card holds results of unchanged settings: drop --set or --card')
     use_threads(given)
     folder = find_model(given.model)
+    require_own(folder)
     return Card(folder, load_checkpoint(folder))

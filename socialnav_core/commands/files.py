@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from socialnav_core.config import ConfigError
+from socialnav_core.places import CHECKOUT, MODELS
 
 
 def require_new(path: Path | None, given: argparse.Namespace) -> None:
@@ -25,6 +26,16 @@ def require_new(path: Path | None, given: argparse.Namespace) -> None:
     parent = next(folder for folder in path.absolute().parents if folder.exists())
     if not parent.is_dir() or not os.access(parent, os.W_OK):
         raise ConfigError(f'{path} cannot be written: no right to write to {parent}')
+
+
+def require_own(model: Path) -> None:
+    """
+    Raise a ConfigError when a model belongs to an installed package, where nothing is written.
+
+    :param model: folder of a checkpoint.
+    """
+    if CHECKOUT is None and model.resolve().is_relative_to(MODELS):
+        raise ConfigError(f'{model} belongs to the installed package: copy it and name the copy')
 
 
 def write_json(path: Path | None, values: Any) -> None:

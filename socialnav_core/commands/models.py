@@ -26,7 +26,11 @@ def add_parser(commands: Any) -> None:
     summary = 'List the trained models with their results.'
     parser = add_command(commands, 'models', run, summary, EXAMPLES)
     parser.add_argument(
-        'folder', metavar='DIR', nargs='?', type=Path, help='folder of checkpoints (models/)'
+        'folder',
+        metavar='DIR',
+        nargs='?',
+        type=Path,
+        help='checkpoints (the shipped ones)',
     )
     parser.add_argument(
         '--cards', action='store_true', help='write the model cards anew from metrics.json'
@@ -40,7 +44,7 @@ def run(given: argparse.Namespace) -> None:
     :param given: parsed arguments.
     """
     from socialnav_core.evaluation.report import table
-    from socialnav_core.policies.loading import MODELS
+    from socialnav_core.places import MODELS
     from socialnav_core.policies.value.checkpoint import WEIGHTS
 
     parent = given.folder or MODELS
@@ -60,10 +64,12 @@ def write_cards(folders: list[Path]) -> None:
 
     :param folders: of the checkpoints.
     """
+    from socialnav_core.commands.files import require_own
     from socialnav_core.policies.value.checkpoint import load_checkpoint
     from socialnav_core.training import write_model_card
 
     for folder in folders:
+        require_own(folder)
         write_model_card(folder, load_checkpoint(folder))
 
 

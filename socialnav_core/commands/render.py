@@ -95,10 +95,11 @@ def require_format(path: Path, formats: tuple[str, ...]) -> None:
     """
     if path.suffix not in formats:
         raise ConfigError(f'{path} must end in {" or ".join(formats)}')
+    writer_of(path.suffix)  # a package that it lacks is missed now
     if path.suffix == '.mp4':
-        from socialnav_core.viewing.animation import require_ffmpeg
+        from socialnav_core.viewing.animation import find_ffmpeg
 
-        require_ffmpeg()
+        find_ffmpeg()
 
 
 def write(recording: Any, path: Path) -> None:

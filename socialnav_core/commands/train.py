@@ -3,7 +3,6 @@
 import argparse
 import functools
 from pathlib import Path
-import sys
 from typing import Any, TYPE_CHECKING
 
 from socialnav_core.commands.arguments import (
@@ -70,7 +69,6 @@ def run(given: argparse.Namespace) -> None:
         resume=given.resume,
         overwrite=given.overwrite,
         evaluate=functools.partial(validate, name=config.name, seed=config.seed),
-        progress=sys.stderr.isatty(),
     )
     print(f'{out}: trained; measure it with socialnav evaluate {out} --scenario NAME')
 
@@ -86,6 +84,8 @@ def validate(policy: 'Policy', scenario: 'Scenario', name: str, seed: int) -> di
     from socialnav_core.evaluation import evaluate
     from socialnav_core.evaluation.report import evaluation_text
 
-    result = evaluate(policy, scenario, VALIDATION_EPISODES, seed, 'validation', name=name)
+    result = evaluate(
+        policy, scenario, VALIDATION_EPISODES, seed, 'validation', name=name, progress=True
+    )
     print(evaluation_text(result))
     return result.to_mapping()

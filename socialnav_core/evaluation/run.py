@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config import require, Scenario
 from socialnav_core.evaluation.metrics import (
     case_mappings,
@@ -22,6 +23,7 @@ from socialnav_core.policies.protocol import (
     require_same_kinematics,
 )
 from socialnav_core.prediction.oracle import attach_simulator
+from socialnav_core.progress import progress_bar
 from socialnav_core.simulation import Simulator
 from socialnav_core.states import CrowdState
 
@@ -95,7 +97,7 @@ def evaluate(
     split: str = 'test',
     batch_size: int = BATCH_SIZE,
     name: str = '',
-    progress: Callable[[int], None] | None = None,
+    progress: Callable[[int], None] | bool = False,
 ) -> EvaluationResult:
     """
     Run the cases 0 to episodes - 1, each exactly once.
@@ -105,9 +107,15 @@ def evaluate(
     :param split: train, validation or test.
     :param batch_size: worlds that are run side by side.
     :param name: name of the policy in the result.
-    :param progress: called with the number of episodes that have just ended.
+    :param progress: whether to say on stderr how it goes; or what to call instead, with the number
+        of episodes that have just ended.
     :raises ConfigError: when the policy drives another kind of robot, or for no episodes.
     """
+    if progress is True:
+        with progress_bar(episodes, name or 'evaluation') as bar:
+            report = bar.update
+            return evaluate(policy, scenario, episodes, seed, split, batch_size, name, report)
+    keep_freed_memory()
     require(episodes >= 1, f'the number of episodes must be at least 1, not {episodes}')
     require_same_kinematics(policy, scenario)
     records = empty_records(np.arange(episodes))
@@ -131,7 +139,7 @@ def evaluate(
         intrusions[ended] = 0
         if len(ended):
             policy.reset(ended)
-            if progress is not None:
+            if callable(progress):
                 progress(len(ended))
     return EvaluationResult(
         model=name,

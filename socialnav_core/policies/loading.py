@@ -10,14 +10,12 @@ from torch import cuda
 
 from socialnav_core.config import ConfigError, PolicyConfig, require
 from socialnav_core.config.mapping import flatten, replace, to_mapping
+from socialnav_core.places import MODELS
 from socialnav_core.policies.orca import OrcaPolicy
 from socialnav_core.policies.protocol import Policy
 from socialnav_core.policies.straight_line import StraightLinePolicy
 from socialnav_core.policies.value.checkpoint import Checkpoint, load_checkpoint, WEIGHTS
 from socialnav_core.policies.value.lookahead import ValuePolicy
-
-MODELS = Path(__file__).parents[2] / 'models'
-"""Checkpoints of a checkout; an installed package has none and takes folders only."""
 
 
 @dataclasses.dataclass(frozen=True)

@@ -1,5 +1,6 @@
 """Imitation: a value network learns what an ORCA robot's states turned out to be worth."""
 
+from collections.abc import Callable
 import dataclasses
 
 import numpy as np
@@ -40,7 +41,11 @@ class Demonstrations:
 
 
 def collect_demonstrations(
-    simulator: Simulator, demonstrator: Policy, episodes: int, seed: int
+    simulator: Simulator,
+    demonstrator: Policy,
+    episodes: int,
+    seed: int,
+    progress: Callable[[int], object] | None = None,
 ) -> Demonstrations:
     """
     Return the states of the training cases 0 ... episodes - 1, each run exactly once.
@@ -53,6 +58,7 @@ def collect_demonstrations(
     :param demonstrator: drives the robots.
     :param episodes: number of cases.
     :param seed: of the cases.
+    :param progress: called with the number of episodes that have just ended.
     :raises ConfigError: when all of them ran out of time.
     """
     state = simulator.reset(seed=seed, split='train', cases=range(episodes))
@@ -64,6 +70,8 @@ def collect_demonstrations(
         ended = info['active'] & (terminated | truncated)
         demonstrator.reset(ended)
         outcome[info['case_index'][ended]] = info['outcome'][ended]
+        if progress is not None:
+            progress(int(ended.sum()))
         steps.append((seen, reward, ended, info['case_index'], info['active']))
     require(
         bool((outcome != Outcome.TIMEOUT).any()),
@@ -97,6 +105,7 @@ def imitate(
     demonstrations: Demonstrations,
     config: TrainingConfig,
     generator: np.random.Generator,
+    progress: Callable[[int], object] | None = None,
 ) -> float:
     """
     Fit the network to the demonstrations in place; return the mean loss of the last epoch.
@@ -105,6 +114,7 @@ def imitate(
     :param demonstrations: states and returns.
     :param config: of the run.
     :param generator: source of the order.
+    :param progress: called with 1 after each epoch.
     """
     settings = config.imitation
     optimizer = make_optimizer(network, config)
@@ -123,4 +133,6 @@ def imitate(
             losses.append(
                 regress(network, optimizer, batch, rate, config.gradient_clip, config.bfloat16)
             )
+        if progress is not None:
+            progress(1)
     return float(np.mean(losses)) if losses else float('nan')

@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 import csv
 from pathlib import Path
-from typing import TextIO
-
-from torch.utils.tensorboard import SummaryWriter
-from tqdm import tqdm
+import sys
+from typing import Any, TextIO
 
 from socialnav_core.config import TrainingConfig
+from socialnav_core.extras import extra, MissingExtra
+from socialnav_core.progress import progress_bar
 
 CSV_NAME = 'progress.csv'
 COLUMNS = (
@@ -37,11 +37,8 @@ class Progress:
         self._position = position
         self._file = open_csv(folder / CSV_NAME, first, COLUMNS)
         self._rows = csv.DictWriter(self._file, COLUMNS)
-        self._board = SummaryWriter(str(folder), purge_step=first + 1 if first else None)
-        self._bar = tqdm(
-            total=config.length, initial=position, disable=not visible, desc='value learning',
-            unit=self._unit, dynamic_ncols=True,
-        )  # fmt: skip
+        self._board = open_board(folder, first, visible)
+        self._bar = progress_bar(config.length, 'value learning', self._unit, position, visible)
 
     def __enter__(self) -> 'Progress':
         """Return itself; the reports are open already."""
@@ -50,7 +47,8 @@ class Progress:
     def __exit__(self, *error: object) -> None:
         """Close the reports."""
         self._bar.close()
-        self._board.close()
+        if self._board is not None:
+            self._board.close()
         self._file.close()
 
     def report(self, row: dict[str, float]) -> None:
@@ -61,14 +59,33 @@ class Progress:
         """
         self._rows.writerow({name: f'{value:.6g}' for name, value in row.items()})
         self._file.flush()
-        for name in COLUMNS[1:]:
-            self._board.add_scalar(name, row[name], int(row['iteration']))
+        if self._board is not None:
+            for name in COLUMNS[1:]:
+                self._board.add_scalar(name, row[name], int(row['iteration']))
         self._bar.set_postfix_str(
             f'{row["decisions_per_second"]:.0f} decisions/s, success {row["success_rate"]:.3f}'
         )
         position = int(row[self._unit])
         self._bar.update(position - self._position)
         self._position = position
+
+
+def open_board(folder: Path, first: int, visible: bool) -> Any:
+    """
+    Return TensorBoard's events opened for more, or None where TensorBoard is not installed.
+
+    :param folder: of the run.
+    :param first: iterations whose events are kept.
+    :param visible: whether to say on stderr that there are none.
+    """
+    try:
+        with extra('train'):
+            from torch.utils.tensorboard import SummaryWriter
+    except MissingExtra as error:
+        if visible:
+            print(f'no curves for TensorBoard, only {CSV_NAME}: {error}', file=sys.stderr)
+        return None
+    return SummaryWriter(str(folder), purge_step=first + 1 if first else None)
 
 
 def open_csv(path: Path, first: int, columns: Sequence[str]) -> TextIO:

@@ -16,6 +16,8 @@ from socialnav_core.policies import Policy
 from socialnav_core.policies.value.checkpoint import load_checkpoint, save_weights
 from socialnav_core.policies.value.lookahead import ValuePolicy
 from socialnav_core.prediction import make_predictor
+from socialnav_core.progress import progress_bar
+from socialnav_core.threads import chosen_threads
 from socialnav_core.training.demonstrators import make_demonstrator
 from socialnav_core.training.folder import finish_folder, prepare_folder, UNFOLDED
 from socialnav_core.training.imitation import collect_demonstrations, imitate
@@ -33,6 +35,7 @@ from socialnav_core.training.schedules import epsilon, learning_rate
 Evaluate = Callable[[Policy, Scenario], dict[str, Any]]
 
 
+@chosen_threads()
 def train(
     config: Config,
     out: Path,
@@ -110,12 +113,16 @@ def begin(run: Run, progress: bool) -> None:
     config, settings = run.config, run.config.training
     imitation = settings.imitation
     if imitation.episodes:
-        demonstrations = collect_demonstrations(
-            run.simulator, make_demonstrator(imitation), imitation.episodes, config.seed
-        )
+        with progress_bar(imitation.episodes, 'demonstrations', visible=progress) as bar:
+            demonstrations = collect_demonstrations(
+                run.simulator, make_demonstrator(imitation), imitation.episodes, config.seed,
+                bar.update,
+            )  # fmt: skip
         count = len(demonstrations.returns)
         announce(f'imitation: {imitation.episodes} episodes of ORCA, {count} states', progress)
-        imitate(run.network, demonstrations, settings, generator(config.seed, Purpose.IMITATION))
+        random = generator(config.seed, Purpose.IMITATION)
+        with progress_bar(imitation.epochs, 'imitation', 'epoch', visible=progress) as bar:
+            imitate(run.network, demonstrations, settings, random, bar.update)
         order = generator(config.seed, Purpose.SELECTION).permutation(count)
         run.buffer.append(*demonstrations.select(order[: settings.replay_capacity // 2]))
     run.renew_target()

@@ -16,6 +16,7 @@ import numpy as np
 from PIL import Image
 
 from socialnav_core.config import ConfigError
+from socialnav_core.extras import extra, MissingExtra
 from socialnav_core.states import CrowdState
 from socialnav_core.viewing import scene
 from socialnav_core.viewing.recording import clearance, Recording, state_at
@@ -59,15 +60,16 @@ def write_mp4(recording: Recording, path: Path) -> None:
 
     :param recording: the episode.
     :param path: file to write.
-    :raises ConfigError: where there is no ffmpeg, or it fails.
+    :raises MissingExtra: where there is no ffmpeg.
+    :raises ConfigError: when it fails.
     """
-    require_ffmpeg()
+    ffmpeg = find_ffmpeg()
     pictures = list(frames(recording))
     pictures += pictures[-1:] * round(FINAL_HOLD * FRAME_RATE)
     height, width, _ = pictures[0].shape
     source = ['-f', 'rawvideo', '-pix_fmt', 'rgb24', '-s', f'{width}x{height}']
     target = ['-c:v', 'libx264', '-pix_fmt', 'yuv420p', '-movflags', '+faststart', str(path)]
-    command = ['ffmpeg', '-loglevel', 'error', '-y', *source, '-r', str(FRAME_RATE), '-i', '-']
+    command = [ffmpeg, '-loglevel', 'error', '-y', *source, '-r', str(FRAME_RATE), '-i', '-']
     done = subprocess.run(
         command + target, input=b''.join(picture.tobytes() for picture in pictures),
         stderr=subprocess.PIPE,
@@ -77,12 +79,20 @@ def write_mp4(recording: Recording, path: Path) -> None:
         raise ConfigError(f'ffmpeg could not write {path}: {message}; write a .gif instead')
 
 
-def require_ffmpeg() -> None:
-    """Raise a ConfigError where there is no ffmpeg."""
-    if shutil.which('ffmpeg') is None:
-        raise ConfigError(
-            '.mp4 needs ffmpeg, which is not on the PATH: install it or write a .gif'
-        )
+def find_ffmpeg() -> str:
+    """
+    Return the command of the system's ffmpeg, else the path of the one that imageio-ffmpeg brings.
+
+    :raises MissingExtra: where there is neither.
+    """
+    if shutil.which('ffmpeg') is not None:
+        return 'ffmpeg'
+    try:
+        with extra('video'):
+            import imageio_ffmpeg
+    except MissingExtra as error:
+        raise MissingExtra(f'.mp4 needs ffmpeg; {error}, or write a .gif') from error
+    return imageio_ffmpeg.get_ffmpeg_exe()
 
 
 def frames(recording: Recording) -> Iterator[np.ndarray]:

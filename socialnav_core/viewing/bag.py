@@ -3,13 +3,16 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from mcap_ros2.writer import Writer
 import numpy as np
 
 from socialnav_core import messages
+from socialnav_core.extras import extra
 from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.viewing.recording import Recording
 from socialnav_core.viewing.ros2msg import schema_of
+
+with extra('bag'):
+    from mcap_ros2.writer import Writer
 
 FRAME, BASE_FRAME = 'odom', 'base_link'
 START = 10**9

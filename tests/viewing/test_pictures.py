@@ -1,12 +1,13 @@
 """Pictures show what was recorded, move for a reasonable time and stay small."""
 
 import dataclasses
+import sys
 
 import numpy as np
 from PIL import Image
 import pytest
 
-from socialnav_core.config import ConfigError
+from socialnav_core.extras import MissingExtra
 from socialnav_core.policies import OrcaPolicy, StraightLinePolicy
 from socialnav_core.simulation import make_scenario
 from socialnav_core.viewing import animation, record
@@ -74,6 +75,7 @@ def test_time_marks_are_whole_seconds_and_the_end():
 
 def test_without_ffmpeg_a_video_is_refused_with_the_way_out(crowd, tmp_path, monkeypatch):
     monkeypatch.setenv('PATH', str(tmp_path))
-    with pytest.raises(ConfigError, match='install it or write a .gif'):
+    monkeypatch.setitem(sys.modules, 'imageio_ffmpeg', None)
+    with pytest.raises(MissingExtra, match=r'socialnav_core\[video\].*or write a .gif'):
         animation.write_mp4(crowd, tmp_path / 'crowd.mp4')
     assert not (tmp_path / 'crowd.mp4').exists()

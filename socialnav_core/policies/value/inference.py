@@ -6,7 +6,9 @@ import numpy as np
 import torch
 from torch import nn
 
+from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.states import Observation
+from socialnav_core.threads import chosen_threads
 
 # Rows computed at once on a CPU: what they need stays in the processor's cache.
 FLOAT32_CHUNK = 256
@@ -37,6 +39,7 @@ class ValueInference:
         self.bfloat16 = bfloat16
         self._some_parameter = next(network.parameters())  # tells the device, wherever it goes
 
+    @chosen_threads()
     def values(self, robot: np.ndarray, others: np.ndarray, mask: np.ndarray) -> np.ndarray:
         """
         Return the value of each row, float32 (rows,).
@@ -55,11 +58,13 @@ class ValueInference:
                 return _compute(forward, moved, low).cpu().numpy()
             if rows <= FLOAT32_CHUNK and not low:
                 return forward(*inputs).numpy()
+            keep_freed_memory()
             out = np.empty(rows, np.float32)
             for chunk in chunks(rows, low):
                 out[chunk] = _compute(forward, [tensor[chunk] for tensor in inputs], low).numpy()
         return out
 
+    @chosen_threads()
     def attention(self, seen: Observation) -> np.ndarray:
         """
         Return the attention weights of each row, float32 (rows, agents).

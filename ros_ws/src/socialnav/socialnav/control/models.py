@@ -15,6 +15,7 @@ from socialnav_core.config import ConfigError
 from socialnav_core.policies import load_policy, Policy
 from socialnav_core.policies.loading import WITHOUT_NETWORK
 from socialnav_core.states import Agents, CrowdState, Robot
+from socialnav_core.threads import set_threads
 
 NAME = re.compile(r'\w[\w.-]*')
 """What a name of a model looks like; anything else is a path."""
@@ -28,6 +29,7 @@ def ready_policy(settings: PolicyParameters) -> Policy:
     :raises ValueError: no such model, a damaged one, or one for another kind of robot.
     """
     torch.set_num_threads(settings.threads)
+    set_threads(settings.threads)
     model, overrides = installed(settings.model), chosen_overrides(settings)
     policy = load_policy(model, **overrides)
     if policy.description.knowledge == 'oracle':  # which exists in simulation only
