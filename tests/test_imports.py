@@ -10,7 +10,7 @@ import pytest
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / 'socialnav_core'
 ORDER = (
-    'states', 'config', 'simulation', 'sensing', 'prediction', 'policies', 'training',
+    'states', 'storage', 'config', 'simulation', 'sensing', 'prediction', 'policies', 'training',
     'evaluation', 'viewing', 'benchmarking', 'commands', 'cli',
 )  # fmt: skip
 """Parts of socialnav_core; none imports one that comes after it."""

@@ -34,7 +34,7 @@ def write_json(path: Path | None, values: Any) -> None:
     :param path: of the file, whose folder is made if needed; None for no file.
     :param values: mappings, lists, text and numbers.
     """
-    from socialnav_core.policies.value.checkpoint import atomic_write
+    from socialnav_core.storage import atomic_write
 
     if path is None:
         return

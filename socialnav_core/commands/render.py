@@ -108,7 +108,7 @@ def write(recording: Any, path: Path) -> None:
     :param recording: the episode.
     :param path: of the file, whose folder is made if needed.
     """
-    from socialnav_core.policies.value.checkpoint import written_whole
+    from socialnav_core.storage import written_whole
 
     writer = writer_of(path.suffix)
     path.parent.mkdir(parents=True, exist_ok=True)

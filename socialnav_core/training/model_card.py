@@ -6,12 +6,10 @@ from pathlib import Path
 from typing import Any
 
 from socialnav_core.config import Config, ConfigError, TrainingConfig
-from socialnav_core.policies.value.checkpoint import (
-    atomic_write,
-    Checkpoint,
-)
+from socialnav_core.policies.value.checkpoint import Checkpoint
 from socialnav_core.prediction import knowledge_of
 from socialnav_core.simulation.kinematics import kinematics_of
+from socialnav_core.storage import atomic_write
 from socialnav_core.training.progress import CSV_NAME
 
 METRICS_NAME = 'metrics.json'

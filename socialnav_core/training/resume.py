@@ -1,7 +1,6 @@
 """The state of a run in one file, from which it goes on as if it had never stopped."""
 
 from collections.abc import Mapping
-import hashlib
 import json
 from pathlib import Path
 from typing import Any
@@ -13,7 +12,7 @@ import torch
 
 from socialnav_core.config import Config, ConfigError, require
 from socialnav_core.config.mapping import flatten, from_mapping, to_mapping
-from socialnav_core.policies.value.checkpoint import atomic_write, CheckpointError
+from socialnav_core.storage import arrays_digest, atomic_write, CheckpointError
 
 STATE_NAME = 'training_state.safetensors'
 FORMAT = 'socialnav training state 1'
@@ -39,7 +38,7 @@ def save_state(folder: Path, sections: Mapping[str, Arrays], config: Config) -> 
         'format': FORMAT,
         'config': json.dumps(to_mapping(config)),
         'threads': str(torch.get_num_threads()),
-        'digest': digest(arrays),
+        'digest': arrays_digest(arrays),
     }
     path = folder / STATE_NAME
     try:
@@ -73,7 +72,7 @@ def load_state(folder: Path, config: Config) -> dict[str, Arrays]:
             arrays = {name: file.get_tensor(name) for name in names}
     except (OSError, SafetensorError) as error:
         raise CheckpointError(f'{path} is damaged ({error}); start again') from error
-    if metadata.get('format') != FORMAT or metadata.get('digest') != digest(arrays):
+    if metadata.get('format') != FORMAT or metadata.get('digest') != arrays_digest(arrays):
         raise CheckpointError(f'{path} is damaged or of another version; start again')
     saved = from_mapping(Config, json.loads(metadata['config']))  # settings it lacks: defaults
     require_same(to_mapping(saved), to_mapping(config))
@@ -103,19 +102,6 @@ def require_same(saved: Mapping[str, Any], given: Mapping[str, Any]) -> None:
                 f'the run was started with {name} = {old.get(name)!r}, not {new.get(name)!r}; '
                 'resume it with its own config.yaml or start another with another --out'
             )
-
-
-def digest(arrays: Arrays) -> str:
-    """
-    Return the SHA-256 of arrays and their names.
-
-    :param arrays: by name.
-    """
-    checksum = hashlib.sha256()
-    for name in sorted(arrays):
-        checksum.update(name.encode())
-        checksum.update(arrays[name].tobytes())
-    return checksum.hexdigest()
 
 
 def network_arrays(network: torch.nn.Module) -> Arrays:

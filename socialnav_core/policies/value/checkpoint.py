@@ -1,9 +1,6 @@
 """A checkpoint on disk: weights in safetensors, the resolved config beside them."""
 
-from collections.abc import Iterator
-import contextlib
 import hashlib
-import os
 from pathlib import Path
 from typing import NamedTuple
 
@@ -16,14 +13,11 @@ from socialnav_core.config import Config, ConfigError, PolicyConfig
 from socialnav_core.config.mapping import from_mapping, read_yaml, to_yaml
 from socialnav_core.policies.value.gat4sn import Gat4snValueNetwork
 from socialnav_core.policies.value.sarl import SarlValueNetwork
+from socialnav_core.storage import atomic_write, CheckpointError
 
 WEIGHTS = 'weights.safetensors'
 CONFIG = 'config.yaml'
 ATTENTION_SCORES = {'gat4sn': 'gat', 'gat4sn_linear': 'linear', 'gat4sn_v2': 'gatv2'}
-
-
-class CheckpointError(ValueError):
-    """A checkpoint that is missing, damaged or of something else."""
 
 
 class Checkpoint(NamedTuple):
@@ -157,31 +151,3 @@ def tensors_digest(tensors: dict[str, torch.Tensor]) -> str:
         digest.update(f'{name} {value.dtype} {tuple(value.shape)}'.encode())
         digest.update(value.contiguous().view(torch.uint8).numpy().tobytes())
     return digest.hexdigest()
-
-
-def atomic_write(path: Path, data: bytes) -> None:
-    """
-    Write a file so that a reader, or a crash, sees the old content or the new, never a part.
-
-    :param path: of the file; its folder exists.
-    :param data: the new content.
-    """
-    with written_whole(path) as temporary, temporary.open('wb') as file:
-        file.write(data)
-        file.flush()
-        os.fsync(file.fileno())
-
-
-@contextlib.contextmanager
-def written_whole(path: Path) -> Iterator[Path]:
-    """
-    Give a file to write to that takes the place of another when it is complete, else is removed.
-
-    :param path: of the file that is replaced; its folder exists.
-    """
-    temporary = path.with_name(f'.{path.stem}.{os.getpid()}{path.suffix}')
-    try:
-        yield temporary
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)

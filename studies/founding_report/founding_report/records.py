@@ -16,7 +16,8 @@ from founding_report import measurements, runs
 from founding_report.measurements import Cases, Measurement
 from socialnav_core.config import Config, ConfigError
 from socialnav_core.config.mapping import from_mapping, to_yaml
-from socialnav_core.policies.value.checkpoint import atomic_write, load_checkpoint
+from socialnav_core.policies.value.checkpoint import load_checkpoint
+from socialnav_core.storage import atomic_write
 
 FOLDER = 'records'
 

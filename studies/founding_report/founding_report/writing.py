@@ -15,7 +15,7 @@ from founding_report.report_figures import reported
 from founding_report.rows import Row
 from founding_report.runs import Training
 from founding_report.summary import FIGURES, seed_interval, summarise, Summary
-from socialnav_core.policies.value.checkpoint import atomic_write
+from socialnav_core.storage import atomic_write
 
 
 def write_results(

@@ -9,12 +9,10 @@ import torch
 from socialnav_core.config import Config, ConfigError, PolicyConfig
 from socialnav_core.policies import build_network, CheckpointError, load_policy
 from socialnav_core.policies.value.checkpoint import (
-    atomic_write,
     CONFIG,
     load_checkpoint,
     save_weights,
     WEIGHTS,
-    written_whole,
 )
 from socialnav_core.simulation import make_scenario, Simulator
 
@@ -102,24 +100,3 @@ def test_values_that_are_not_finite_are_refused(saved):
 def test_an_unknown_model_names_those_that_there_are(name):
     with pytest.raises(ConfigError, match='orca, straight_line'):
         load_policy(name)
-
-
-def test_a_write_that_fails_leaves_the_old_file(tmp_path, monkeypatch):
-    path = tmp_path / 'file'
-    atomic_write(path, b'old')
-    monkeypatch.setattr('os.fsync', lambda _: (_ for _ in ()).throw(OSError('disk full')))
-    with pytest.raises(OSError, match='disk full'):
-        atomic_write(path, b'new')
-    assert path.read_bytes() == b'old' and [p.name for p in tmp_path.iterdir()] == ['file']
-
-
-def test_a_file_is_replaced_when_the_new_one_is_complete_and_not_before(tmp_path):
-    path = tmp_path / 'picture.png'
-    with written_whole(path) as temporary:
-        temporary.write_text('old')
-    with pytest.raises(OSError), written_whole(path) as temporary:
-        temporary.write_text('ne')
-        raise OSError('no space left')
-    assert path.read_text() == 'old'
-    assert list(tmp_path.iterdir()) == [path]
-    assert temporary.suffix == path.suffix
