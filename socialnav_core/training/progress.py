@@ -1,7 +1,9 @@
 """What a run reports while it goes on: progress.csv, TensorBoard and a bar."""
 
+from collections.abc import Sequence
 import csv
 from pathlib import Path
+from typing import TextIO
 
 from torch.utils.tensorboard import SummaryWriter
 from tqdm import tqdm
@@ -33,7 +35,7 @@ class Progress:
         """
         self._unit = 'episodes' if config.episodes else 'iteration'
         self._position = position
-        self._file = open_csv(folder / CSV_NAME, first)
+        self._file = open_csv(folder / CSV_NAME, first, COLUMNS)
         self._rows = csv.DictWriter(self._file, COLUMNS)
         self._board = SummaryWriter(str(folder), purge_step=first + 1 if first else None)
         self._bar = tqdm(
@@ -69,19 +71,20 @@ class Progress:
         self._position = position
 
 
-def open_csv(path: Path, first: int):  # type: ignore[no-untyped-def]
+def open_csv(path: Path, first: int, columns: Sequence[str]) -> TextIO:
     """
     Return the report opened for more rows, with a header and those of the first iterations only.
 
     :param path: of the file.
     :param first: iterations whose rows are kept.
+    :param columns: names of all columns; the first one counts the iterations.
     """
     rows = []
     if first and path.is_file():
         with path.open(newline='', encoding='utf-8') as file:
-            rows = [row for row in csv.DictReader(file) if int(row['iteration']) <= first]
+            rows = [row for row in csv.DictReader(file) if int(row[columns[0]]) <= first]
     file = path.open('w', newline='', encoding='utf-8')
-    writer = csv.DictWriter(file, COLUMNS)
+    writer = csv.DictWriter(file, columns)
     writer.writeheader()
     writer.writerows(rows)
     file.flush()

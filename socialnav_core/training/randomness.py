@@ -18,6 +18,10 @@ class Purpose(enum.IntEnum):
     EXPLORATION = 3
     REPLAY = 4
     BUCKET = 5
+    CROWDS = 6
+    VALIDATION_CROWDS = 7
+    EXAMPLES = 8
+    VALIDATION_EXAMPLES = 9
 
 
 def generator(seed: int, purpose: Purpose, iteration: int = 0) -> np.random.Generator:

@@ -10,7 +10,7 @@ from safetensors import safe_open, SafetensorError
 from safetensors.numpy import save
 import torch
 
-from socialnav_core.config import Config, ConfigError, require
+from socialnav_core.config import ConfigError, require
 from socialnav_core.config.mapping import flatten, from_mapping, to_mapping
 from socialnav_core.storage import arrays_digest, atomic_write, CheckpointError
 
@@ -20,13 +20,13 @@ FORMAT = 'socialnav training state 1'
 Arrays = dict[str, np.ndarray]
 
 
-def save_state(folder: Path, sections: Mapping[str, Arrays], config: Config) -> None:
+def save_state(folder: Path, sections: Mapping[str, Arrays], config: Any) -> None:
     """
     Write the state of a run; whenever the process dies, the file is the old one or the new one.
 
     :param folder: of the run.
     :param sections: arrays of each part of the run.
-    :param config: of the run.
+    :param config: of the run, a dataclass of socialnav_core.config.
     :raises CheckpointError: when it cannot be written; the file then is the old one.
     """
     arrays = {
@@ -50,7 +50,7 @@ def save_state(folder: Path, sections: Mapping[str, Arrays], config: Config) -> 
         ) from error
 
 
-def load_state(folder: Path, config: Config) -> dict[str, Arrays]:
+def load_state(folder: Path, config: Any) -> dict[str, Arrays]:
     """
     Return the arrays of each part of a run.
 
@@ -74,7 +74,8 @@ def load_state(folder: Path, config: Config) -> dict[str, Arrays]:
         raise CheckpointError(f'{path} is damaged ({error}); start again') from error
     if metadata.get('format') != FORMAT or metadata.get('digest') != arrays_digest(arrays):
         raise CheckpointError(f'{path} is damaged or of another version; start again')
-    saved = from_mapping(Config, json.loads(metadata['config']))  # settings it lacks: defaults
+    # settings that the saved one lacks have their defaults
+    saved = from_mapping(type(config), json.loads(metadata['config']))
     require_same(to_mapping(saved), to_mapping(config))
     require(
         metadata['threads'] == str(torch.get_num_threads()),

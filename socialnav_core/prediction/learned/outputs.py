@@ -1,0 +1,53 @@
+"""From what the network says at its own moments to positions in the world at any times."""
+
+import math
+
+import numpy as np
+
+from socialnav_core.compilation import compiled
+from socialnav_core.prediction.learned.layout import SCALE, STEP, STEPS
+
+LEAST_LOGARITHM, GREATEST_LOGARITHM = -6.0, 6.0  # of a deviation, in units of SCALE
+
+
+@compiled
+def place(outputs, people, frames, velocity, times, positions, deviations):  # type: ignore[no-untyped-def]
+    """
+    Add the predicted motion of people to where they stand now.
+
+    Between two moments of the network everything is linear, before the first one from nothing;
+    after the last one it goes on as between the last two.
+
+    :param outputs: of the network, (people, OUTPUTS).
+    :param people: world and slot of each, (people, 2).
+    :param frames: cosine and sine of each, (people, 2).
+    :param velocity: m/s, (batch, agents, 2).
+    :param times: from now, s, (steps,).
+    :param positions: in and out, m, (batch, steps, agents, 2).
+    :param deviations: out, m, (batch, steps, agents).
+    """
+    residuals = np.zeros((STEPS + 1, 2))
+    spread = np.zeros(STEPS + 1)
+    for person in range(people.shape[0]):
+        world, agent = people[person, 0], people[person, 1]
+        for step in range(STEPS):
+            residuals[step + 1, 0] = outputs[person, 2 * step] * SCALE[step]
+            residuals[step + 1, 1] = outputs[person, 2 * step + 1] * SCALE[step]
+            logarithm = min(max(outputs[person, 2 * STEPS + step], LEAST_LOGARITHM),
+                            GREATEST_LOGARITHM)  # fmt: skip
+            spread[step + 1] = math.exp(logarithm) * SCALE[step]
+        cosine, sine = frames[person, 0], frames[person, 1]
+        for index in range(len(times)):
+            time = times[index]
+            first = min(max(int(time / STEP), 0), STEPS - 1)
+            share = time / STEP - first
+            x = residuals[first, 0] + share * (residuals[first + 1, 0] - residuals[first, 0])
+            y = residuals[first, 1] + share * (residuals[first + 1, 1] - residuals[first, 1])
+            positions[world, index, agent, 0] += (
+                x * cosine - y * sine + velocity[world, agent, 0] * time
+            )
+            positions[world, index, agent, 1] += (
+                x * sine + y * cosine + velocity[world, agent, 1] * time
+            )
+            grown = spread[first] + share * (spread[first + 1] - spread[first])
+            deviations[world, index, agent] = max(grown, min(spread[first], spread[first + 1]))

@@ -1,0 +1,146 @@
+"""Examples of what people did next, drawn from recordings."""
+
+import dataclasses
+
+import numpy as np
+
+from socialnav_core.config.prediction import NoiseConfig
+from socialnav_core.prediction.learned.features import person_features
+from socialnav_core.prediction.learned.history import lagged_velocities, SAMPLES
+from socialnav_core.prediction.learned.layout import LAG, LAGS, TIMES
+from socialnav_core.training.prediction.recording import Recording
+
+GREATEST_NOISE = 1.2  # in units of the standard deviations of NoiseConfig
+BEGINNING = LAG * LAGS  # s
+
+
+@dataclasses.dataclass
+class Examples:
+    """People, each in their own frame, float32, and how their motion differed from constant."""
+
+    features: np.ndarray
+    """What the network sees, (people, INPUTS)."""
+    residual: np.ndarray
+    """True positions less those of constant velocity, m, (people, STEPS, 2)."""
+    goal: np.ndarray
+    """Direction to the goal, (people, 2)."""
+
+
+def draw_examples(
+    recordings: list[Recording], moments: int, noise: NoiseConfig, generator: np.random.Generator
+) -> Examples:
+    """Return everybody at some random moments of each recording."""
+    level = generator.uniform(0.0, GREATEST_NOISE) * float(generator.random() < noise.share)
+    parts = [
+        recording_examples(recording, moments, level, noise, generator) for recording in recordings
+    ]
+    names = [field.name for field in dataclasses.fields(Examples)]
+    return Examples(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
+
+
+def recording_examples(
+    recording: Recording,
+    count: int,
+    level: float,
+    noise: NoiseConfig,
+    generator: np.random.Generator,
+) -> Examples:
+    """Return everybody at some random moments of a recording, seen with a level of noise."""
+    world, moment = draw_moments(recording, count, noise.beginning, generator)
+    times, velocities, seen = seen_samples(recording, world, moment, noise.forgetting, generator)
+    position = recording.position[world, moment].astype(np.float64)
+    truth = future(recording, world, moment) - position[:, None]
+    goal = recording.goal[world, moment] - position
+    if level:
+        error = level * noise.position * generator.standard_normal(position.shape)
+        position, truth = position + error, truth - error[:, None]
+        velocities += level * noise.velocity * generator.standard_normal(velocities.shape)
+    lagged, known = lagged_velocities(times, velocities, seen)
+    features, frames = everybody(recording, world, position, lagged, known)
+    constant = lagged[:, 0, :, None] * TIMES[:, None]
+    residual = truth.transpose(0, 2, 1, 3) - constant
+    people = residual.shape[0] * residual.shape[1]
+    return Examples(
+        features,
+        turned(residual.reshape(people, len(TIMES), 2), frames).astype(np.float32),
+        turned(unit(goal).reshape(people, 1, 2), frames)[:, 0].astype(np.float32),
+    )
+
+
+def draw_moments(
+    recording: Recording, count: int, beginning: float, generator: np.random.Generator
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return worlds and moments; a share of the latter lies at the beginning, (count,) each."""
+    last = recording.moments - 1 - int(np.ceil(TIMES[-1] / recording.time_step))
+    early = max(1, round(BEGINNING / recording.time_step))
+    moment = np.where(
+        generator.random(count) < beginning,
+        generator.integers(0, early, count),
+        generator.integers(0, last + 1, count),
+    )
+    return generator.integers(0, recording.worlds, count), moment
+
+
+def seen_samples(
+    recording: Recording,
+    world: np.ndarray,
+    moment: np.ndarray,
+    forgetting: float,
+    generator: np.random.Generator,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """
+    Return times, velocities and whether people were seen, newest first, as a History has them.
+
+    :param forgetting: share of the people whose older samples are missing.
+    """
+    back = moment[:, None] - np.arange(SAMPLES)
+    times = np.where(back >= 0, back * recording.time_step, -np.inf)
+    velocities = recording.velocity[world[:, None], np.maximum(back, 0)].astype(np.float64)
+    shape = (len(world), recording.people)
+    kept = np.where(
+        generator.random(shape) < forgetting, generator.integers(1, SAMPLES, shape), SAMPLES
+    )
+    seen = (np.arange(SAMPLES)[:, None] < kept[:, None]) & (back >= 0)[:, :, None]
+    return times, velocities, seen
+
+
+def future(recording: Recording, world: np.ndarray, moment: np.ndarray) -> np.ndarray:
+    """Return the true positions at TIMES from some moments, m, (moments, STEPS, people, 2)."""
+    exact = TIMES / recording.time_step
+    before = np.floor(exact + 1e-9).astype(int)
+    share = np.maximum(exact - before, 0.0)[None, :, None, None]
+    index = moment[:, None] + before
+    after = np.minimum(index + 1, recording.moments - 1)
+    first = recording.position[world[:, None], index]
+    return first + share * (recording.position[world[:, None], after] - first)
+
+
+def everybody(
+    recording: Recording,
+    world: np.ndarray,
+    position: np.ndarray,
+    lagged: np.ndarray,
+    known: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return features and frames of all people among people and obstacles."""
+    walls = recording.obstacles.shape[1]
+    centres = np.concatenate([position, recording.obstacles[world]], axis=1)
+    lagged = np.pad(lagged, ((0, 0), (0, 0), (0, walls), (0, 0)))
+    known = np.pad(known, ((0, 0), (0, 0), (0, walls)))
+    static = np.tile(np.arange(centres.shape[1]) >= recording.people, (len(world), 1))
+    _, features, frames = person_features(
+        centres, lagged, known, recording.radius[world], static, np.ones_like(static)
+    )
+    return features, frames
+
+
+def turned(vectors: np.ndarray, frames: np.ndarray) -> np.ndarray:
+    """Return vectors, (people, n, 2), in the frames of their people, (people, 2)."""
+    cosine, sine = frames[:, None, 0], frames[:, None, 1]
+    x, y = vectors[..., 0], vectors[..., 1]
+    return np.stack([x * cosine + y * sine, y * cosine - x * sine], axis=-1)
+
+
+def unit(vectors: np.ndarray) -> np.ndarray:
+    """Return vectors of length one, or shorter where they are next to nothing."""
+    return vectors / (np.linalg.norm(vectors, axis=-1, keepdims=True) + 1e-6)
