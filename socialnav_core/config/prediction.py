@@ -33,9 +33,9 @@ class CrowdMixture:
 class CrowdsConfig:
     """The recorded crowds that the network learns from."""
 
-    groups: int = 480
+    groups: int = 360
     """Recordings; each draws its own kind, numbers, parameters and time step."""
-    validation_groups: int = 48
+    validation_groups: int = 36
     """Recordings of the validation split, on which the weights are chosen."""
     worlds: int = 12
     """Worlds of a recording, which share its parameters."""
@@ -71,9 +71,9 @@ class NoiseConfig:
 class PredictionTrainingConfig:
     """Regression on what people did next."""
 
-    updates: int = 40000
+    updates: int = 24000
     """Gradient steps."""
-    recordings_per_update: int = 6
+    recordings_per_update: int = 4
     """Recordings that a batch draws from."""
     moments_per_recording: int = 14
     """Moments, in random worlds, drawn from each; every person then is an example."""

@@ -70,7 +70,7 @@ def person_features(position, lagged, known, radius, static, valid):  # type: ig
 
 @compiled
 def write_headings(lagged, known, static, headings):  # type: ignore[no-untyped-def]
-    """Write the direction of the last motion of each agent of a world, zero where there is none."""
+    """Write the direction of the last motion of each agent of a world, zero for none."""
     for agent in range(headings.shape[0]):
         headings[agent] = 0.0
         if static[agent]:

@@ -123,10 +123,10 @@ def everybody(
     known: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return features and frames of all people among people and obstacles."""
-    walls = recording.obstacles.shape[1]
     centres = np.concatenate([position, recording.obstacles[world]], axis=1)
-    lagged = np.pad(lagged, ((0, 0), (0, 0), (0, walls), (0, 0)))
-    known = np.pad(known, ((0, 0), (0, 0), (0, walls)))
+    walls = recording.obstacles.shape[1]
+    lagged = np.concatenate([lagged, np.zeros((*lagged.shape[:2], walls, 2))], axis=2)
+    known = np.concatenate([known, np.zeros((*known.shape[:2], walls), bool)], axis=2)
     static = np.tile(np.arange(centres.shape[1]) >= recording.people, (len(world), 1))
     _, features, frames = person_features(
         centres, lagged, known, recording.radius[world], static, np.ones_like(static)
