@@ -10,7 +10,13 @@ setup(
     maintainer='socialnav developers',
     maintainer_email='socialnav@example.com',
     packages=find_packages(include=['socialnav_core', 'socialnav_core.*']),
-    package_data={'socialnav_core': ['config/recipes/*.yaml', 'viewing/ros2msg.txt']},
+    package_data={
+        'socialnav_core': [
+            'config/recipes/*.yaml',
+            'config/recipes/prediction/*.yaml',
+            'viewing/ros2msg.txt',
+        ]
+    },
     data_files=[
         ('share/ament_index/resource_index/packages', ['socialnav_core/resource/socialnav_core']),
         ('share/socialnav_core', ['package.xml']),

@@ -7,11 +7,24 @@ import os
 import sys
 from typing import Any
 
-from socialnav_core.commands import benchmark, compare, evaluate, models, render, scenarios, train
+from socialnav_core.commands import (
+    benchmark,
+    compare,
+    evaluate,
+    evaluate_prediction,
+    models,
+    render,
+    scenarios,
+    train,
+    train_prediction,
+)
 from socialnav_core.commands.arguments import CommandFailure, Parser
 from socialnav_core.config import ConfigError
 
-COMMANDS = (train, evaluate, compare, render, benchmark, models, scenarios)
+COMMANDS = (
+    train, evaluate, compare, render, benchmark, models, scenarios, train_prediction,
+    evaluate_prediction,
+)  # fmt: skip
 """Modules with `add_parser`, which names the function that runs the command."""
 OTHERS = 'socialnav.commands'
 """Entry points of other packages: each the name of a module like those of COMMANDS."""

@@ -5,10 +5,12 @@ from pathlib import Path
 from typing import Any
 
 from socialnav_core.config.mapping import ConfigError, from_mapping, read_yaml, to_mapping
+from socialnav_core.config.prediction import PredictionConfig
 from socialnav_core.config.scenarios import resolve_scenario
 from socialnav_core.config.training import Config
 
 RECIPES = Path(__file__).parent / 'recipes'
+PREDICTIONS = RECIPES / 'prediction'
 SHARED = ('kinematics', 'time_step', 'goal_tolerance', 'reward')
 
 
@@ -23,10 +25,8 @@ def read_config(source: str | Path, assignments: Mapping[str, Any] | None = None
     :param assignments: dotted settings and their values, such as {'training.worlds': 64}.
     :raises ConfigError: when the file or a setting does not exist or makes no sense.
     """
-    path = find_config(source)
-    values: dict[str, Any] = {'name': path.stem} | read_yaml(path)
-    for key, value in (assignments or {}).items():
-        assign_nested(values, key, value)
+    path = find_config(source, RECIPES)
+    values = read_values(path, assignments or {})
     if 'scenario' not in values:
         raise ConfigError(f'{path} names no scenario; add a line such as scenario: simple')
     scenario = resolve_scenario(values['scenario'])
@@ -35,19 +35,42 @@ def read_config(source: str | Path, assignments: Mapping[str, Any] | None = None
     return from_mapping(Config, values)
 
 
-def find_config(source: str | Path) -> Path:
+def read_prediction_config(
+    source: str | Path, assignments: Mapping[str, Any] | None = None
+) -> PredictionConfig:
+    """
+    Return a complete configuration of the learned prediction.
+
+    :param source: a YAML file, or the name of one that comes with the package, such as mixed.
+    :param assignments: dotted settings and their values, such as {'training.updates': 1000}.
+    :raises ConfigError: when the file or a setting does not exist or makes no sense.
+    """
+    values = read_values(find_config(source, PREDICTIONS), assignments or {})
+    return from_mapping(PredictionConfig, values)
+
+
+def read_values(path: Path, assignments: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what a file says, changed by assignments; its name is that of the file by default."""
+    values: dict[str, Any] = {'name': path.stem} | read_yaml(path)
+    for key, value in assignments.items():
+        assign_nested(values, key, value)
+    return values
+
+
+def find_config(source: str | Path, folder: Path) -> Path:
     """
     Return the file of a configuration.
 
     :param source: a path, or the name of a file of the package without its ending.
+    :param folder: of the package's files.
     :raises ConfigError: when there is neither.
     """
-    path, packaged = Path(source), RECIPES / f'{source}.yaml'
+    path, packaged = Path(source), folder / f'{source}.yaml'
     if path.is_file():
         return path
     if packaged.is_file():
         return packaged
-    names = ', '.join(sorted(each.stem for each in RECIPES.glob('*.yaml')))
+    names = ', '.join(sorted(each.stem for each in folder.glob('*.yaml')))
     raise ConfigError(f'{source} is neither a file nor one of the configurations {names}')
 
 

@@ -22,6 +22,7 @@ class Purpose(enum.IntEnum):
     VALIDATION_CROWDS = 7
     EXAMPLES = 8
     VALIDATION_EXAMPLES = 9
+    EVALUATION_CROWDS = 10
 
 
 def generator(seed: int, purpose: Purpose, iteration: int = 0) -> np.random.Generator:

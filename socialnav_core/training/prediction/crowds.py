@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from socialnav_core.config import make_scenario, Scenario
-from socialnav_core.config.prediction import CrowdsConfig, SHARES
+from socialnav_core.config.prediction import CrowdMixture, SHARES
 from socialnav_core.simulation.cases import Episodes
 from socialnav_core.simulation.crowds.orca import orca_step
 from socialnav_core.simulation.crowds.pedestrians import (
@@ -38,14 +38,14 @@ class Crowd:
     """Strength, reach, relaxation and share from behind of social forces."""
 
 
-def draw_crowd(config: CrowdsConfig, generator: np.random.Generator) -> Crowd:
-    """Return a crowd of a random kind with random settings."""
-    shares = np.array([getattr(config.mixture, name) for name in SHARES])
-    return draw_crowd_of(SHARES[generator.choice(len(SHARES), p=shares / shares.sum())], generator)
+def draw_kind(mixture: CrowdMixture, generator: np.random.Generator) -> str:
+    """Return a random kind of crowd."""
+    shares = np.array([getattr(mixture, name) for name in SHARES])
+    return SHARES[generator.choice(len(SHARES), p=shares / shares.sum())]
 
 
-def draw_crowd_of(kind: str, generator: np.random.Generator) -> Crowd:
-    """Return a crowd of a kind with random settings."""
+def draw_crowd(kind: str, generator: np.random.Generator) -> Crowd:
+    """Return a crowd of a kind, one of SHARES, with random settings."""
     if kind == 'scenarios':
         name = NAMED[generator.choice(len(NAMED), p=(0.4, 0.2, 0.15, 0.15, 0.1))]
         return Crowd(kind, make_scenario(name))

@@ -4,7 +4,7 @@ import numpy as np
 
 from socialnav_core.config.prediction import CrowdsConfig
 from socialnav_core.simulation.layout import PackingError
-from socialnav_core.training.prediction.crowds import draw_crowd, record
+from socialnav_core.training.prediction.crowds import Crowd, draw_crowd, draw_kind, record
 from socialnav_core.training.prediction.recording import Recording
 from socialnav_core.training.randomness import generator, Purpose
 
@@ -23,21 +23,33 @@ def record_crowds(config: CrowdsConfig, seed: int, split: str) -> list[Recording
     learned = split == 'train'
     purpose = Purpose.CROWDS if learned else Purpose.VALIDATION_CROWDS
     count = config.groups if learned else config.validation_groups
-    return [
-        record_group(config, split, seed, group, generator(seed, purpose, group))
-        for group in range(count)
-    ]
+    recordings = []
+    for group in range(count):
+        draws = generator(seed, purpose, group)
+        kind = draw_kind(config.mixture, draws)
+        recordings.append(record_fitting(kind, config, split, seed, group, draws))
+    return recordings
 
 
-def record_group(
-    config: CrowdsConfig, split: str, seed: int, group: int, draws: np.random.Generator
+def record_fitting(
+    crowd: Crowd | str,
+    config: CrowdsConfig,
+    split: str,
+    seed: int,
+    group: int,
+    draws: np.random.Generator,
 ) -> Recording:
-    """Return a recording of its number; one that does not fit is drawn again."""
+    """
+    Return a recording of its number; one that does not fit into its world is drawn again.
+
+    :param crowd: itself, or its kind.
+    :raises PackingError: when no attempt fits.
+    """
     for attempt in range(ATTEMPTS):
-        crowd = draw_crowd(config, draws)
+        drawn = draw_crowd(crowd, draws) if isinstance(crowd, str) else crowd
         first = group * config.worlds
         try:
-            return record(crowd, config.worlds, config.duration, split, seed, first, draws)
+            return record(drawn, config.worlds, config.duration, split, seed, first, draws)
         except PackingError:
             if attempt == ATTEMPTS - 1:
                 raise

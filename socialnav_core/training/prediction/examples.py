@@ -49,7 +49,7 @@ def recording_examples(
     world, moment = draw_moments(recording, count, noise.beginning, generator)
     times, velocities, seen = seen_samples(recording, world, moment, noise.forgetting, generator)
     position = recording.position[world, moment].astype(np.float64)
-    truth = future(recording, world, moment) - position[:, None]
+    truth = recording.future(world, moment, TIMES) - position[:, None]
     goal = recording.goal[world, moment] - position
     if level:
         error = level * noise.position * generator.standard_normal(position.shape)
@@ -102,17 +102,6 @@ def seen_samples(
     )
     seen = (np.arange(SAMPLES)[:, None] < kept[:, None]) & (back >= 0)[:, :, None]
     return times, velocities, seen
-
-
-def future(recording: Recording, world: np.ndarray, moment: np.ndarray) -> np.ndarray:
-    """Return the true positions at TIMES from some moments, m, (moments, STEPS, people, 2)."""
-    exact = TIMES / recording.time_step
-    before = np.floor(exact + 1e-9).astype(int)
-    share = np.maximum(exact - before, 0.0)[None, :, None, None]
-    index = moment[:, None] + before
-    after = np.minimum(index + 1, recording.moments - 1)
-    first = recording.position[world[:, None], index]
-    return first + share * (recording.position[world[:, None], after] - first)
 
 
 def everybody(

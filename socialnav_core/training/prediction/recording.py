@@ -56,6 +56,20 @@ class Recording:
         robot = Robot(place, np.zeros_like(place), 0.0 * one, 0.3 * one, one, place)
         return CrowdState(robot, agents, np.inf * one, self.time_step * moment * one)
 
+    def future(self, world: np.ndarray, moment: np.ndarray, times: np.ndarray) -> np.ndarray:
+        """
+        Return where people are some times, s, after moments, m, (moments, times, people, 2).
+
+        :param world: of each moment, (moments,).
+        """
+        exact = times / self.time_step
+        before = np.floor(exact + 1e-9).astype(int)
+        share = np.maximum(exact - before, 0.0)[None, :, None, None]
+        index = moment[:, None] + before
+        first = self.position[world[:, None], index]
+        after = self.position[world[:, None], np.minimum(index + 1, self.moments - 1)]
+        return first + share * (after - first)
+
     def noisy(
         self, position: float, velocity: float, generator: np.random.Generator
     ) -> 'Recording':

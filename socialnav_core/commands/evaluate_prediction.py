@@ -1,0 +1,95 @@
+"""`socialnav evaluate-prediction`: how far a prediction is from what people do."""
+
+import argparse
+import dataclasses
+from pathlib import Path
+from typing import Any
+
+from socialnav_core.commands.arguments import (
+    add_command,
+    add_overwrite_option,
+    add_threads_option,
+    positive_number,
+    whole_number,
+)
+from socialnav_core.commands.choices import use_threads
+from socialnav_core.commands.files import require_new, write_json
+from socialnav_core.config import ConfigError
+
+EXAMPLES = """
+out/prediction --split validation --crowds crowd20 unaware
+prediction --recorded people.txt --json out/prediction.json"""
+
+
+def add_parser(commands: Any) -> None:
+    """Add the command."""
+    summary = 'Compare predictions with what people did, crowd by crowd.'
+    parser = add_command(commands, 'evaluate-prediction', run, summary, EXAMPLES)
+    parser.add_argument(
+        'model', metavar='MODEL', nargs='?', default='prediction',
+        help='folder of a learned prediction, or its name in models/ (prediction)',
+    )  # fmt: skip
+    parser.add_argument(
+        '--crowds', nargs='*', metavar='NAME', help='crowds to judge it on (all of them)'
+    )
+    parser.add_argument(
+        '--recorded', nargs='+', type=Path, default=[], metavar='FILE',
+        help='files of recorded people, a line `frame person x y` each 0.4 s',
+    )  # fmt: skip
+    parser.add_argument(
+        '--groups', type=positive_number, default=6, metavar='N',
+        help='recordings of each crowd, 12 worlds of 20 s each (6)',
+    )  # fmt: skip
+    parser.add_argument(
+        '--seed', type=whole_number, default=0, metavar='N', help='seed of the crowds (0)'
+    )
+    parser.add_argument(
+        '--split', choices=('validation', 'test'), default='test', help='of the crowds (test)'
+    )
+    parser.add_argument('--json', type=Path, metavar='FILE', help='write all figures')
+    parser.add_argument(
+        '--card', action='store_true', help="put the figures into the model's metrics and card"
+    )
+    add_overwrite_option(parser)
+    add_threads_option(parser)
+
+
+def run(given: argparse.Namespace) -> None:
+    """Run the command."""
+    use_threads(given)
+    from socialnav_core.evaluation.prediction import CROWDS
+    from socialnav_core.evaluation.prediction_report import result_table
+    from socialnav_core.prediction.learned.checkpoint import find_predictor, load_predictor
+    from socialnav_core.training.prediction.model_card import add_results
+
+    require_new(given.json, given)
+    crowds = CROWDS if given.crowds is None else given.crowds
+    for crowd in crowds:
+        if crowd not in CROWDS:
+            raise ConfigError(f'no crowd {crowd!r}; there are: {", ".join(CROWDS)}')
+    results = measured(load_predictor(given.model), crowds, given)
+    print(result_table(results))
+    values = [
+        dataclasses.asdict(result) | {'seed': given.seed, 'split': given.split}
+        for result in results
+    ]
+    write_json(given.json, values)
+    if given.card:
+        add_results(find_predictor(given.model), values)
+
+
+def measured(predictor: Any, crowds: Any, given: argparse.Namespace) -> list[Any]:
+    """Return the results on crowds, without and with noise, and on recorded people."""
+    from socialnav_core.evaluation.prediction import evaluate_prediction, measure_prediction
+    from socialnav_core.evaluation.recorded_people import read_tracks, track_moments
+
+    tracks = {path.stem: read_tracks(path) for path in given.recorded}
+    results = [
+        evaluate_prediction(predictor, crowd, given.groups, given.seed, given.split, noise)
+        for crowd in crowds
+        for noise in (False, True)
+    ]
+    return results + [
+        measure_prediction(predictor, [track_moments(track)], f'recorded: {name}')
+        for name, track in tracks.items()
+    ]

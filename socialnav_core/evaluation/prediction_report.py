@@ -1,0 +1,25 @@
+"""Results of predictions as text."""
+
+from socialnav_core.evaluation.prediction import PredictionResult, TIMES
+from socialnav_core.evaluation.report import table
+
+
+def result_table(results: list[PredictionResult]) -> str:
+    """Return mean errors, m, and the shares within one and two deviations, a line a crowd."""
+    moments = ' / '.join(f'{time:g}' for time in TIMES)
+    head = ('crowd', 'noise', 'people', f'error at {moments} s', 'constant velocity',
+            'within 1 sigma', 'within 2 sigma')  # fmt: skip
+    return table([head, *(cells(result) for result in results)])
+
+
+def cells(result: PredictionResult) -> tuple[str, ...]:
+    """Return the cells of a result."""
+    return (
+        result.crowd,
+        'yes' if result.noise else 'no',
+        f'{result.people:,}',
+        ' '.join(f'{value:.3f}' for value in result.error),
+        ' '.join(f'{value:.3f}' for value in result.constant_velocity),
+        ' '.join(f'{value:.2f}' for value in result.within_one),
+        ' '.join(f'{value:.2f}' for value in result.within_two),
+    )
