@@ -33,9 +33,9 @@ class CrowdMixture:
 class CrowdsConfig:
     """The recorded crowds that the network learns from."""
 
-    groups: int = 360
+    groups: int = 240
     """Recordings; each draws its own kind, numbers, parameters and time step."""
-    validation_groups: int = 36
+    validation_groups: int = 24
     """Recordings of the validation split, on which the weights are chosen."""
     worlds: int = 12
     """Worlds of a recording, which share its parameters."""
@@ -71,7 +71,7 @@ class NoiseConfig:
 class PredictionTrainingConfig:
     """Regression on what people did next."""
 
-    updates: int = 24000
+    updates: int = 12000
     """Gradient steps."""
     recordings_per_update: int = 4
     """Recordings that a batch draws from."""
