@@ -5,7 +5,7 @@ import dataclasses
 
 import numpy as np
 
-from socialnav_core.config import make_scenario
+from socialnav_core.config import ConfigError, make_scenario
 from socialnav_core.config.prediction import CrowdsConfig, NoiseConfig, SHARES
 from socialnav_core.prediction.protocol import Predictor
 from socialnav_core.states import CrowdState
@@ -93,11 +93,17 @@ def recorded_moments(recording: Recording, seen: Recording) -> Iterator[Moment]:
 def measure_prediction(
     predictor: Predictor, recordings: Iterable[Iterable[Moment]], crowd: str, noise: bool = False
 ) -> PredictionResult:
-    """Return how a predictor does at all moments of some recordings, shown in order."""
+    """
+    Return how a predictor does at all moments of some recordings, shown in order.
+
+    :raises ConfigError: when there is nobody to judge it on.
+    """
     rows = []
     for moments in recordings:
         predictor.reset()
         rows += [judged(predictor, *moment) for moment in moments]
+    if not any(len(row[0]) for row in rows):
+        raise ConfigError(f'{crowd}: nobody is seen for {TIMES[-1]:g} s')
     columns = zip(*rows, strict=True)
     error, constant, one, two = (np.concatenate(parts).mean(axis=0) for parts in columns)
     people = sum(len(row[0]) for row in rows)

@@ -29,9 +29,10 @@ def read_tracks(path: Path) -> np.ndarray:
         rows = np.loadtxt(path, usecols=(0, 1, 2, 3), ndmin=2)
     except (OSError, ValueError) as error:
         raise ConfigError(f'{path} holds no recorded people: {error}') from error
-    numbers = rows[:, 0].astype(int)
-    spacing = max(1, int(np.gcd.reduce(np.diff(np.unique(numbers)), initial=0)))
-    frames = (numbers - numbers.min()) // spacing
+    numbers = rows[:, 0]
+    # frames are numbered as in the video, with gaps where nobody was seen; a few are off by one
+    spacing = np.median(np.diff(np.unique(numbers))) if np.ptp(numbers) else 1.0
+    frames = np.rint((numbers - numbers.min()) / spacing).astype(int)
     names, people = np.unique(rows[:, 1], return_inverse=True)
     tracks = np.full((frames.max() + 1, len(names), 2), np.nan)
     tracks[frames, people] = rows[:, 2:]

@@ -75,6 +75,11 @@ def test_recorded_people_who_walk_straight_on_are_predicted_by_constant_velocity
     assert curved.error[-1] > 0.5 and len(curved.error) == len(TIMES)
 
 
+def test_tracks_that_are_too_short_are_an_error(tracks):
+    with pytest.raises(ConfigError, match='nobody is seen'):
+        measure_prediction(Straight(), [track_moments(tracks[:6])], 'short')
+
+
 def test_a_file_of_anything_else_is_refused(tmp_path):
     (tmp_path / 'text').write_text('no people here')
     with pytest.raises(ConfigError, match='no recorded people'):

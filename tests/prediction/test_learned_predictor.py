@@ -89,12 +89,12 @@ def test_padding_changes_nothing(predictor):
     np.testing.assert_allclose(plain.deviations, other.deviations[..., :7], atol=1e-6)
 
 
-def test_obstacles_stay_for_certain_where_they_are(predictor):
+def test_obstacles_stay_where_they_are_to_a_millimetre(predictor):
     state = random_state(4, obstacles=3)
     prediction = last_prediction(predictor, [state])
     there = state.agents.position[:, None, None, 4:]
     np.testing.assert_array_equal(prediction.positions[:, :, :, 4:] - there, 0.0)
-    np.testing.assert_array_equal(prediction.deviations[..., 4:], 0.0)
+    np.testing.assert_array_equal(prediction.deviations[..., 4:], 0.001)
 
 
 def test_the_compiled_network_computes_what_torch_does():
@@ -183,11 +183,11 @@ def test_people_in_the_same_place_who_stand_are_predicted(predictor):
     assert np.isfinite(prediction.deviations).all()
 
 
-def test_a_prediction_begins_where_people_are_and_grows_less_certain(predictor):
+def test_a_prediction_begins_where_people_are(predictor):
     state = random_state(4, obstacles=0)
     prediction = last_prediction(predictor, [state], times=np.array([0.0]))
     np.testing.assert_allclose(prediction.positions[:, 0, 0], state.agents.position)
-    np.testing.assert_array_equal(prediction.deviations, 0.0)
+    np.testing.assert_array_equal(prediction.deviations, 0.001)
 
 
 def test_times_between_the_networks_moments_lie_between_them(predictor):

@@ -8,6 +8,7 @@ from socialnav_core.compilation import compiled
 from socialnav_core.prediction.learned.layout import SCALE, STEP, STEPS
 
 LEAST_LOGARITHM, GREATEST_LOGARITHM = -6.0, 6.0  # of a deviation, in units of SCALE
+LEAST_DEVIATION = 1e-3  # m; also that of obstacles, so that whoever divides by one may
 
 
 @compiled
@@ -24,7 +25,7 @@ def place(outputs, people, frames, velocity, times, positions, deviations):  # t
     :param velocity: m/s, (batch, agents, 2).
     :param times: from now, s, (steps,).
     :param positions: in and out, m, (batch, steps, agents, 2).
-    :param deviations: out, m, (batch, steps, agents).
+    :param deviations: out, m, (batch, steps, agents); of who is not predicted they stay.
     """
     residuals = np.zeros((STEPS + 1, 2))
     spread = np.zeros(STEPS + 1)
@@ -50,4 +51,5 @@ def place(outputs, people, frames, velocity, times, positions, deviations):  # t
                 x * sine + y * cosine + velocity[world, agent, 1] * time
             )
             grown = spread[first] + share * (spread[first + 1] - spread[first])
-            deviations[world, index, agent] = max(grown, min(spread[first], spread[first + 1]))
+            least = max(min(spread[first], spread[first + 1]), LEAST_DEVIATION)
+            deviations[world, index, agent] = max(grown, least)

@@ -7,7 +7,7 @@ import numpy as np
 from socialnav_core.prediction.learned.features import person_features
 from socialnav_core.prediction.learned.history import History
 from socialnav_core.prediction.learned.network import Layers
-from socialnav_core.prediction.learned.outputs import place
+from socialnav_core.prediction.learned.outputs import LEAST_DEVIATION, place
 from socialnav_core.prediction.protocol import Prediction
 from socialnav_core.states import CrowdState
 
@@ -49,7 +49,7 @@ class LearnedPredictor:
             agents.position, lagged, known, agents.radius, agents.static, agents.valid
         )
         positions = np.repeat(agents.position[:, None], len(times), axis=1)
-        deviations = np.zeros((state.batch_size, len(times), agents.count))
+        deviations = np.full((state.batch_size, len(times), agents.count), LEAST_DEVIATION)
         place(self.layers(features), people, frames, agents.velocity, times, positions, deviations)
         weights = np.ones((state.batch_size, 1))
         return Prediction(positions[:, None], deviations[:, None], weights)
