@@ -1,5 +1,7 @@
 """The crowds of a run, recorded anew from its seed whenever they are needed."""
 
+import contextlib
+
 import numpy as np
 
 from socialnav_core.config.prediction import CrowdsConfig
@@ -45,12 +47,13 @@ def record_fitting(
     :param crowd: itself, or its kind.
     :raises PackingError: when no attempt fits.
     """
-    for attempt in range(ATTEMPTS):
+
+    def attempt() -> Recording:
         drawn = draw_crowd(crowd, draws) if isinstance(crowd, str) else crowd
         first = group * config.worlds
-        try:
-            return record(drawn, config.worlds, config.duration, split, seed, first, draws)
-        except PackingError:
-            if attempt == ATTEMPTS - 1:
-                raise
-    raise AssertionError('unreachable')
+        return record(drawn, config.worlds, config.duration, split, seed, first, draws)
+
+    for _ in range(ATTEMPTS - 1):
+        with contextlib.suppress(PackingError):
+            return attempt()
+    return attempt()

@@ -88,7 +88,10 @@ def results_section(results: list[dict[str, Any]]) -> str:
         '',
         'Mean distance to the truth in metres after 0.25 / 0.5 / 1 / 2 / 3 s, and the share of '
         'the errors along an axis within one and two of the predicted standard deviations after '
-        'the same times (a Gaussian: .68 and .95). Noise is .05 m and .1 m/s.',
+        'the same times (a Gaussian: .68 and .95). Noise is .05 m and .1 m/s. '
+        f'Simulated crowds are of the `{results[0]["split"]}` split, seed {results[0]["seed"]}; '
+        'those named `recorded` are people of the recordings of ETH and UCY (Pellegrini et al. '
+        '2009, Lerner et al. 2007), from which nothing was learned and which do not ship.',
         '',
         '| crowd | noise | people | error | constant velocity | within 1 | within 2 |',
         '|---|---|---|---|---|---|---|',
@@ -109,8 +112,8 @@ def row(result: dict[str, Any]) -> str:
 
 LIMITS = """## Limits
 
-- Its crowds are simulated: ORCA of many parameters, people who stop, people who avoid nobody, and
-  social forces. Recorded people were never learned from.
+- It learned from simulated crowds alone: ORCA of many parameters, people who stop, people who avoid
+  nobody, and social forces.
 - Nobody is assumed to see the robot, and walls are not seen but as discs.
 - One mode: where somebody may pass on either side, the deviation is wide and the mean between.
 - Somebody who is seen for the first time has no history; the deviation is wider, not the truth."""
@@ -120,10 +123,13 @@ def reproduction(folder: Path) -> str:
     """Return the commands that make the model and its results again."""
     place = folder.resolve()
     again = f'out/{place.name}_again'
+    files = '--recorded FILE ... ' * any(
+        name.startswith('recorded') for name in read_metrics(folder)
+    )
     return (
         '## Reproduce\n\n```\n'
         f'socialnav train-prediction {place.parent.name}/{place.name}/config.yaml --out {again}\n'
-        f'socialnav evaluate-prediction {again} --card\n```\n\n'
+        f'socialnav evaluate-prediction {again} {files}--card\n```\n\n'
         'The same machine, thread count and versions of the libraries and of socialnav give the '
         'same weights bit by bit; others give other weights.'
     )
