@@ -112,8 +112,8 @@ def row(result: dict[str, Any]) -> str:
 
 LIMITS = """## Limits
 
-- It learned from simulated crowds alone: ORCA of many parameters, people who stop, people who avoid
-  nobody, and social forces.
+- It learned from simulated crowds alone: ORCA of many parameters, people who stop, people who
+  avoid nobody, and social forces.
 - Nobody is assumed to see the robot, and walls are not seen but as discs.
 - One mode: where somebody may pass on either side, the deviation is wide and the mean between.
 - Somebody who is seen for the first time has no history; the deviation is wider, not the truth."""
@@ -123,9 +123,8 @@ def reproduction(folder: Path) -> str:
     """Return the commands that make the model and its results again."""
     place = folder.resolve()
     again = f'out/{place.name}_again'
-    files = '--recorded FILE ... ' * any(
-        name.startswith('recorded') for name in read_metrics(folder)
-    )
+    recorded = any(name.startswith('recorded') for name in read_metrics(folder))
+    files = '--recorded FILE ... ' if recorded else ''
     return (
         '## Reproduce\n\n```\n'
         f'socialnav train-prediction {place.parent.name}/{place.name}/config.yaml --out {again}\n'
