@@ -33,7 +33,7 @@ class CrowdMixture:
 class CrowdsConfig:
     """The recorded crowds that the network learns from."""
 
-    groups: int = 240
+    groups: int = 300
     """Recordings; each draws its own kind, numbers, parameters and time step."""
     validation_groups: int = 24
     """Recordings of the validation split, on which the weights are chosen."""
@@ -71,7 +71,7 @@ class NoiseConfig:
 class PredictionTrainingConfig:
     """Regression on what people did next."""
 
-    updates: int = 12000
+    updates: int = 15000
     """Gradient steps."""
     recordings_per_update: int = 4
     """Recordings that a batch draws from."""

@@ -59,6 +59,15 @@ def test_who_avoids_nobody_walks_straight_to_the_goal():
     assert np.abs(cross[same_goal]).max() < 1e-3
 
 
+def test_who_passes_never_turns_back():
+    draws = np.random.default_rng(0)
+    crowd = dataclasses.replace(draw_crowd('varied', draws), passing=True)
+    recording = record(crowd, 2, 6.0, 'train', 0, 0, draws)
+    way = recording.goal[:, 0] - recording.position[:, 0]
+    assert (np.linalg.norm(way, axis=-1) > 90.0).all()
+    assert (recording.goal == recording.goal[:, :1]).all()
+
+
 def test_the_same_seed_records_the_same_and_the_splits_differ():
     first, again = record_crowds(SMALL, 0, 'train'), record_crowds(SMALL, 0, 'train')
     for one, other in zip(first, again, strict=True):

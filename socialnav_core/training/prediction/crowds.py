@@ -20,6 +20,11 @@ from socialnav_core.training.prediction.social_force import social_force_step
 
 NAMED = ('crowd20', 'hard', 'packed-2.5', 'curriculum-2.5', 'simple')
 TIME_STEPS = (0.1, 0.125, 0.2, 0.25)
+PASSING_SHARE = 0.5
+"""Share of the crowds, scenarios aside, whose people walk straight on through their world."""
+FAR = 100.0  # m; where those who pass want to go
+USUAL_RADIUS_SHARE = 0.3
+"""Share of the crowds, scenarios aside, whose people have the radius that trackers assume."""
 STOP_RATE = 0.12  # 1/s
 GOAL_RATE = 0.03  # 1/s
 
@@ -34,6 +39,8 @@ class Crowd:
     """Layout, numbers, time step and settings of ORCA."""
     unaware_share: float = 0.0
     """Share of the people who avoid nobody."""
+    passing: bool = False
+    """Whether people walk on instead of turning within their world, as in a street."""
     force: tuple[float, float, float, float] = (2.0, 0.3, 0.5, 0.3)
     """Strength, reach, relaxation and share from behind of social forces."""
 
@@ -51,7 +58,8 @@ def draw_crowd(kind: str, generator: np.random.Generator) -> Crowd:
         return Crowd(kind, make_scenario(name))
     force = tuple(generator.uniform((1.0, 0.15, 0.4, 0.1), (4.0, 0.5, 0.8, 0.6)).tolist())
     share = generator.uniform(0.2, 1.0) if kind == 'unaware' else 0.0
-    return Crowd(kind, draw_scenario(generator), share, force)
+    passing = bool(generator.random() < PASSING_SHARE)
+    return Crowd(kind, draw_scenario(generator), share, passing, force)
 
 
 def draw_scenario(generator: np.random.Generator) -> Scenario:
@@ -134,7 +142,7 @@ def draw_people(
     crowd: Crowd, episodes: Episodes, generator: np.random.Generator
 ) -> tuple[np.ndarray, np.ndarray]:
     """
-    Give people their own speeds and radii; return who avoids nobody and who pauses how long.
+    Give people speeds, radii and goals; return who avoids nobody and who pauses how long.
 
     People of named scenarios stay as they are. Shapes are (worlds, people).
     """
@@ -146,6 +154,12 @@ def draw_people(
                                  (episodes.state.agents.radius, 0.2, 0.5)):  # fmt: skip
             common, own = generator.uniform(low, high), generator.uniform(low, high, shape)
             array[:, :people] = common + spread * (own - common)
+        if generator.random() < USUAL_RADIUS_SHARE:
+            episodes.state.agents.radius[:, :people] = Scenario('usual').pedestrian_radius
+    if crowd.passing:
+        start, goal = episodes.state.agents.position[:, :people], episodes.goal[:, :people]
+        way = goal - start
+        goal[:] = start + FAR * way / np.linalg.norm(way, axis=-1, keepdims=True)
     return generator.random(shape) < crowd.unaware_share, np.zeros(shape)
 
 
