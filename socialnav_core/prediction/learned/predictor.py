@@ -21,7 +21,6 @@ class LearnedPredictor:
     """
 
     knowledge = 'deployable'
-    remembers = True
 
     def __init__(self, weights: Mapping[str, np.ndarray]) -> None:
         """
