@@ -21,6 +21,7 @@ class LearnedPredictor:
     """
 
     knowledge = 'deployable'
+    remembers = True
 
     def __init__(self, weights: Mapping[str, np.ndarray]) -> None:
         """

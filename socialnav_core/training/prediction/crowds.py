@@ -8,13 +8,9 @@ import numpy as np
 from socialnav_core.config import make_scenario, Scenario
 from socialnav_core.config.prediction import CrowdMixture, SHARES
 from socialnav_core.simulation.cases import Episodes
-from socialnav_core.simulation.crowds.orca import orca_step
-from socialnav_core.simulation.crowds.pedestrians import (
-    head_for_goals,
-    RADIUS_PADDING,
-    RECIPROCAL,
-    renew_goals,
-)
+from socialnav_core.simulation.crowds.goals import renew_goals, velocities_to_goals
+from socialnav_core.simulation.crowds.orca import RADIUS_PADDING, RECIPROCAL
+from socialnav_core.simulation.crowds.orca_kernel import Bodies, Foresight, orca_step
 from socialnav_core.training.prediction.recording import Recording
 from socialnav_core.training.prediction.social_force import social_force_step
 
@@ -131,7 +127,7 @@ def record(
         decide(crowd, episodes, unaware, pause > 0, decided)
         agents.velocity[:] = decided
         agents.position += decided * scenario.time_step
-        renew_goals(scenario, episodes)
+        renew_goals(episodes)
     return Recording(
         scenario.time_step, position, velocity, goal, agents.radius.copy(),
         agents.position[:, people:].copy(),
@@ -187,8 +183,7 @@ def decide(
     """
     scenario, agents = crowd.scenario, episodes.state.agents
     people, orca = scenario.pedestrians, scenario.orca
-    preferred = np.zeros_like(agents.position)
-    head_for_goals(agents.position, episodes.goal, episodes.preferred_speed, people, preferred)
+    preferred = velocities_to_goals(episodes, agents.count)
     preferred[:, :people][pausing] = 0.0
     if crowd.kind == 'social_force':
         social_force_step(
@@ -198,11 +193,16 @@ def decide(
         return
     distance = np.full_like(agents.radius, orca.neighbor_distance)
     distance[:, :people][unaware] = 0.0
-    orca_step(
-        agents.position, agents.velocity, preferred,
-        agents.radius + (RADIUS_PADDING + orca.safety_space), episodes.preferred_speed,
-        agents.valid, np.where(agents.static, orca.static_responsibility, RECIPROCAL), distance,
-        np.ones(len(preferred), bool), people, orca.max_neighbors, orca.time_horizon,
-        scenario.time_step, out,
-    )  # fmt: skip
+    bodies = Bodies(
+        position=agents.position,
+        velocity=agents.velocity,
+        preferred_velocity=preferred,
+        radius=agents.radius + (RADIUS_PADDING + orca.safety_space),
+        max_speed=episodes.preferred_speed,
+        valid=agents.valid,
+        responsibility=np.where(agents.static, orca.static_responsibility, RECIPROCAL),
+        neighbor_distance=distance,
+    )
+    foresight = Foresight(orca.max_neighbors, orca.time_horizon, scenario.time_step)
+    orca_step(bodies, foresight, np.ones(len(preferred), bool), people, out)
     out[:, :people][pausing] = 0.0  # who pauses steps aside for nobody
