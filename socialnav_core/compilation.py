@@ -33,6 +33,13 @@ def compiled(function: Callable[..., Any]) -> Any:
         settings.CACHE_DIR = before
 
 
+inlined = numba.njit(nogil=True, error_model='numpy', forceinline=True)
+"""
+Compiles a function into whatever calls it: where arrays are passed in inner loops, since numba
+counts references to the arrays of every call.
+"""
+
+
 @functools.cache
 def cache_is_writable() -> bool:
     """Return whether compiled code can be kept; warn where not, since that costs a minute."""
@@ -64,6 +71,6 @@ def sources_digest() -> str:
     digest = hashlib.sha256()
     for path in sorted(PACKAGE.rglob('*.py')):
         text = path.read_bytes()
-        if b'@compiled' in text:
+        if b'@compiled' in text or b'@inlined' in text:
             digest.update(path.relative_to(PACKAGE).as_posix().encode() + text)
     return digest.hexdigest()[:16]

@@ -12,10 +12,9 @@ are in this one file: numba's cache does not notice a change of another one.
 import math
 from typing import NamedTuple
 
-from numba import njit
 import numpy as np
 
-from socialnav_core.compilation import compiled
+from socialnav_core.compilation import compiled, inlined
 
 PARALLEL_TOLERANCE = 1e-5
 """Sine of the angle below which two boundary lines count as parallel (RVO_EPSILON of RVO2)."""
@@ -23,8 +22,6 @@ SPARE_CANDIDATES = 16
 """Number of candidates beyond the greatest number of neighbours that are collected at a time."""
 X, Y, VELOCITY_X, VELOCITY_Y, RADIUS, RESPONSIBILITY = range(6)
 """Rows of Workspace.crowd."""
-
-inlined = njit(nogil=True, error_model='numpy', forceinline=True)
 
 
 class Bodies(NamedTuple):
