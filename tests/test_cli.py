@@ -174,6 +174,13 @@ def test_evaluate_prints_rates_with_intervals_and_nothing_on_stderr(capsys):
     assert captured.err == ''
 
 
+def test_the_search_takes_settings_and_refuses_those_that_it_lacks(capsys):
+    assert run('evaluate', 'search', *QUICK, '--set', 'policy.goal_tolerance=0.2') == 0
+    assert 'search' in capsys.readouterr().out
+    assert run('evaluate', 'search', *QUICK, '--set', 'policy.goal_tolerence=0.2') == 2
+    assert 'goal_tolerance' in capsys.readouterr().err
+
+
 def test_evaluate_writes_every_figure_and_case(tmp_path):
     file = tmp_path / 'new' / 'folder' / 'result.json'
     assert run('evaluate', 'straight_line', *QUICK, '--seed', 3, '--json', file) == 0

@@ -5,6 +5,7 @@ from socialnav_core.config.policy import PolicyConfig, ScreeningConfig
 from socialnav_core.config.reading import read_config
 from socialnav_core.config.scenario import CROWDS, KINEMATICS, OrcaConfig, RewardConfig, Scenario
 from socialnav_core.config.scenarios import make_scenario, resolve_scenario, SCENARIOS
+from socialnav_core.config.search import SearchConfig
 from socialnav_core.config.training import (
     Config,
     CurriculumConfig,
@@ -25,6 +26,7 @@ __all__ = [
     'SCENARIOS',
     'Scenario',
     'ScreeningConfig',
+    'SearchConfig',
     'TrainingConfig',
     'make_scenario',
     'read_config',

@@ -1,0 +1,1 @@
+"""Receding-horizon search in space and time among predicted people."""
