@@ -7,8 +7,21 @@ from socialnav_core.prediction.constant_velocity import ConstantVelocity
 from socialnav_core.prediction.oracle import Oracle
 from socialnav_core.prediction.protocol import Prediction, Predictor
 
+
+def shipped_prediction() -> Predictor:
+    """
+    Return the learned prediction that ships, without history.
+
+    :raises CheckpointError: when its files are missing or damaged.
+    """
+    from socialnav_core.prediction.learned import load_predictor  # compiles, which others need not
+
+    return load_predictor()
+
+
 PREDICTIONS: dict[str, Callable[[], Predictor]] = {
     'constant_velocity': ConstantVelocity,
+    'learned': shipped_prediction,
     'oracle': Oracle,
 }
 """What makes each prediction that a look-ahead can be given by name."""

@@ -95,7 +95,7 @@ def test_the_oracle_needs_a_simulator():
 
 
 def test_an_unknown_prediction_is_answered_with_those_that_there_are():
-    with pytest.raises(ConfigError, match='constant_velocity, oracle'):
+    with pytest.raises(ConfigError, match='constant_velocity, learned, oracle'):
         make_predictor('psychic')
 
 
