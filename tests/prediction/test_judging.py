@@ -13,6 +13,7 @@ class Straight:
     """Predicts constant velocity with a deviation, and a second mode that never happens."""
 
     knowledge = 'deployable'
+    remembers = False
 
     def __init__(self, deviation=1.0):
         self.deviation = deviation

@@ -25,7 +25,7 @@ def assert_same(first, second, tolerance=1e-4):
 
 def test_it_is_a_predictor_that_a_robot_may_use(predictor):
     checked: Predictor = predictor
-    assert checked.knowledge == 'deployable'
+    assert checked.knowledge == 'deployable' and checked.remembers
 
 
 def test_shapes_are_those_of_the_protocol_and_weights_sum_to_one(predictor):

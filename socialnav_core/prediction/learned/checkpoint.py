@@ -12,14 +12,13 @@ from safetensors.numpy import save
 from socialnav_core.config import ConfigError
 from socialnav_core.config.mapping import from_mapping, read_yaml, to_yaml
 from socialnav_core.config.prediction import PredictionConfig
+from socialnav_core.places import MODELS
 from socialnav_core.prediction.learned.layout import INPUTS, OUTPUTS
 from socialnav_core.prediction.learned.predictor import LearnedPredictor
 from socialnav_core.storage import arrays_digest, atomic_write, CheckpointError
 
 WEIGHTS = 'prediction.safetensors'
 CONFIG = 'config.yaml'
-MODELS = Path(__file__).parents[3] / 'models'
-"""Checkpoints of a checkout; an installed package has none and takes folders only."""
 
 
 def load_predictor(model: str | Path = 'prediction') -> LearnedPredictor:

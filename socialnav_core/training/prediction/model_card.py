@@ -36,7 +36,7 @@ def write_card(folder: Path) -> None:
         description(config, parameters, arrays_digest(weights)),
         training_data(config, folder / CSV_NAME),
         results_section(results),
-        LIMITS,
+        limits(results),
         reproduction(folder),
     )
     atomic_write(folder / CARD_NAME, ('\n\n'.join(sections) + '\n').encode())
@@ -117,6 +117,22 @@ LIMITS = """## Limits
 - Nobody is assumed to see the robot, and walls are not seen but as discs.
 - One mode: where somebody may pass on either side, the deviation is wide and the mean between.
 - Somebody who is seen for the first time has no history; the deviation is wider, not the truth."""
+
+
+def limits(results: list[dict[str, Any]]) -> str:
+    """Return what to beware of, the crowds that constant velocity predicts better among it."""
+    worse = [
+        f'{result["crowd"]} ({result["error"][-1] / result["constant_velocity"][-1] - 1:+.0%})'
+        for result in results
+        if not result['noise'] and result['error'][-1] > result['constant_velocity'][-1]
+    ]
+    if not worse:
+        return LIMITS
+    return (
+        f'{LIMITS}\n- Constant velocity is nearer to the truth after {TIMES[-1]:g} s for '
+        f'{", ".join(worse)}: the network expects people to turn to other goals, as most of those '
+        'do whom it learned from.'
+    )
 
 
 def reproduction(folder: Path) -> str:
