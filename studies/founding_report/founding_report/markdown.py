@@ -2,8 +2,8 @@
 
 from decimal import Decimal, ROUND_HALF_UP
 
-from socialnav_core.evaluation.metrics import METRICS
 from socialnav_core.evaluation.statistics import Estimate
+from socialnav_core.metrics import METRICS
 from socialnav_core.tables import NOTHING
 
 LOOKAHEAD_LABELS = {'oracle': 'oracle', 'constant_velocity': 'constant velocity'}
