@@ -13,6 +13,7 @@ from socialnav_core.commands import (
     compare,
     evaluate,
     evaluate_prediction,
+    metrics,
     models,
     render,
     scenarios,
@@ -24,7 +25,7 @@ from socialnav_core.config import ConfigError
 from socialnav_core.extras import MissingExtra
 
 COMMANDS = (
-    train, evaluate, compare, render, benchmark, models, scenarios, train_prediction,
+    train, evaluate, compare, render, benchmark, models, metrics, scenarios, train_prediction,
     evaluate_prediction,
 )  # fmt: skip
 """Modules with `add_parser`, which names the function that runs the command."""

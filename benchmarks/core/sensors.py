@@ -19,7 +19,7 @@ import numpy as np
 from socialnav_core.config.mapping import parse_assignments
 from socialnav_core.evaluation.report import rate_text
 from socialnav_core.evaluation.run import asked_worlds
-from socialnav_core.evaluation.statistics import mcnemar
+from socialnav_core.evaluation.statistics import mcnemar, wilson_interval
 from socialnav_core.policies import load_policy
 from socialnav_core.sensing import (
     beam_angles,
@@ -35,6 +35,7 @@ from socialnav_core.sensing import (
 )
 from socialnav_core.simulation import make_scenario, Outcome, Simulator
 from socialnav_core.states import Agents, CrowdState
+from socialnav_core.tables import markdown_table, number
 
 TICK = 0.05
 """Time between two detections, s."""
@@ -47,6 +48,7 @@ COUNTED = {
     'out of bounds': Outcome.OUT_OF_BOUNDS,
     'time-out': Outcome.TIMEOUT,
 }
+HEAD = ('the robot', 'success', *COUNTED, 'time of successes')
 
 
 @dataclasses.dataclass(frozen=True)
@@ -154,12 +156,13 @@ def run(given: argparse.Namespace, settings: Settings | None) -> tuple[np.ndarra
     return outcome, duration
 
 
-def row(name: str, outcome: np.ndarray, duration: np.ndarray) -> str:
-    """Return how cases ended as a line of a table."""
+def row(name: str, outcome: np.ndarray, duration: np.ndarray) -> list[str]:
+    """Return how cases ended as the cells of HEAD."""
     goal = outcome == Outcome.GOAL
     counts = [str(np.count_nonzero(outcome == code)) for code in COUNTED.values()]
-    mean = f'{duration[goal].mean():.2f} s' if goal.any() else '-'
-    return ' | '.join(['', name, rate_text(goal.mean(), len(goal)), *counts, mean, '']).strip()
+    interval = wilson_interval(np.count_nonzero(goal), len(goal))
+    mean = number(duration[goal].mean() if goal.any() else None, 2, 's')
+    return [name, rate_text(goal.mean(), interval), *counts, mean]
 
 
 def changed(settings: Settings, assignments: dict[str, Any]) -> Settings:
@@ -194,11 +197,12 @@ def main() -> None:
     given = parse()
     settings = changed(Settings(), parse_assignments(given.assignments))
     print(f'{given.model}, {given.scenario}, {given.split} cases, seed {given.seed}\n')
-    print('|', ' | '.join(['the robot', 'success', *COUNTED, 'time of successes']), '|')
-    print('|---' * (3 + len(COUNTED)) + '|')
     told, measured = run(given, None), run(given, settings)
-    print(row('is told everything', *told))
-    print(row(' '.join(['measures', *given.assignments]), *measured))
+    rows = [
+        row('is told everything', *told),
+        row(' '.join(['measures', *given.assignments]), *measured),
+    ]
+    print(markdown_table(HEAD, rows))
     test = mcnemar(*(outcome == Outcome.GOAL for outcome, _ in (told, measured)))
     print(
         f'\nonly told: {test.first_only}, only measured: {test.second_only}, p {test.p_value:.2g}'

@@ -17,6 +17,7 @@ from rig import conditions, KINDS, Rig, usage
 
 from socialnav.demo.children import running_nodes
 from socialnav.parameters import DEFAULT_MODEL
+from socialnav_core.tables import markdown_table
 
 AGENTS = (5, 10, 30)
 MAX_AGENTS = 30
@@ -44,9 +45,8 @@ def main() -> None:
     idle = idling(rig, options)
     rig.close()
     print(f'\n{before}; {conditions()} at the end\n')
-    print('| agents | tick to command, median | 99 % | age of inputs, median | 99 % | usage |')
-    print('|---|---|---|---|---|---|', *busy, '', sep='\n')
-    print('| idle at 10 Hz | usage |', '|---|---|', *idle, sep='\n')
+    head = ['agents', 'tick to command, median', '99 %', 'age of inputs, median', '99 %', 'usage']
+    print(markdown_table(head, busy), markdown_table(['idle at 10 Hz', 'usage'], idle), sep='\n\n')
 
 
 @contextmanager
@@ -65,7 +65,7 @@ def policy_node(rig: Rig, options: argparse.Namespace, **parameters: object) -> 
         yield nodes['policy_node'].pid
 
 
-def driving(rig: Rig, options: argparse.Namespace, agents: int) -> str:
+def driving(rig: Rig, options: argparse.Namespace, agents: int) -> list[str]:
     """
     Return the row of a node that drives.
 
@@ -80,15 +80,15 @@ def driving(rig: Rig, options: argparse.Namespace, agents: int) -> str:
         rig.spin(WARM_UP)
         used = usage(rig, number, options.seconds)
         rig.spin(TELLING)
-    times = (
+    times = [
         f'{1e3 * float(rig.facts[f"{name}, p{percent} [s]"]):.1f} ms'
         for name in (DELAY, AGE)
         for percent in (50, 99)
-    )
-    return f'| {agents} | {" | ".join(times)} | {used:.1%} |'
+    ]
+    return [str(agents), *times, f'{used:.1%}']
 
 
-def idling(rig: Rig, options: argparse.Namespace) -> list[str]:
+def idling(rig: Rig, options: argparse.Namespace) -> list[list[str]]:
     """
     Return the rows of nodes that have nothing to drive for.
 
@@ -105,12 +105,12 @@ def idling(rig: Rig, options: argparse.Namespace) -> list[str]:
         with policy_node(rig, options, stop_publish_timeout=0.0) as number:
             rig.wait(lambda: bool(rig.commands), 'commands')
             rig.spin(WARM_UP)
-            rows.append(f'| {what} | {usage(rig, number, options.seconds / 2):.1%} |')
+            rows.append([what, f'{usage(rig, number, options.seconds / 2):.1%}'])
     rig.silent = set(KINDS)
     with running_nodes({'simulator_node': {}}, os.environ) as nodes:
         rig.spin(2 * WARM_UP)
         used = usage(rig, nodes['simulator_node'].pid, options.seconds / 2)
-    return [*rows, f'| simulator node, `hard` at 20 Hz | {used:.1%} |']
+    return [*rows, ['simulator node, `hard` at 20 Hz', f'{used:.1%}']]
 
 
 if __name__ == '__main__':

@@ -26,6 +26,7 @@ import numpy as np
 from rig import conditions, KINDS, Rig
 
 from socialnav.demo.children import Nodes, running_nodes
+from socialnav_core.tables import markdown_table
 
 INPUT_TIMEOUT, PERIOD = 0.5, 0.1
 LIMIT = INPUT_TIMEOUT + PERIOD
@@ -163,17 +164,13 @@ def table(times: dict[str, tuple[list[float], int]]) -> str:
 
     :param times: s, and how many were repeated, by what stopped.
     """
-    rows = [
-        '| what stops | times | median | 99 % | longest | limit | beyond | repeated |',
-        '|---|---|---|---|---|---|---|---|',
-    ]
+    head = ['what stops', 'times', 'median', '99 %', 'longest', 'limit', 'beyond', 'repeated']
+    rows = []
     for name, (values, repeated) in times.items():
         middle, high = np.percentile(values, [50, 99])
         numbers = (f'{one:.3f} s' for one in (middle, high, max(values), LIMIT))
-        rows.append(
-            f'| {name} | {len(values)} | {" | ".join(numbers)} | {beyond(values)} | {repeated} |'
-        )
-    return '\n'.join(rows)
+        rows.append([name, str(len(values)), *numbers, str(beyond(values)), str(repeated)])
+    return markdown_table(head, rows)
 
 
 if __name__ == '__main__':

@@ -15,6 +15,7 @@ from socialnav_core.commands.arguments import (
 )
 from socialnav_core.commands.choices import use_threads
 from socialnav_core.commands.files import require_new, write_json
+from socialnav_core.tables import NOTHING, text_table
 
 EXAMPLES = """simulator
 all --json out/benchmark.json"""
@@ -105,8 +106,6 @@ def as_table(measurements: Sequence[Any]) -> str:
 
     :param measurements: what was measured.
     """
-    from socialnav_core.evaluation.report import NOTHING, table
-
     rows: list[tuple[str, ...]] = [COLUMNS]
     for each in measurements:
         details = ', '.join(
@@ -115,7 +114,7 @@ def as_table(measurements: Sequence[Any]) -> str:
         reference = NOTHING if each.reference is None else figure(each.reference)
         ratio = NOTHING if each.ratio is None else f'{each.ratio:.0f}x'
         rows.append((each.name, f'{figure(each.value)} {each.unit}', reference, ratio, details))
-    return table(rows)
+    return text_table(rows)
 
 
 def figure(value: float) -> str:

@@ -11,7 +11,12 @@ from socialnav_core.commands.arguments import (
     MODEL_HELP,
 )
 from socialnav_core.commands.choices import chosen_scenario, open_policies
-from socialnav_core.commands.evaluate import add_episodes_option, described, measure
+from socialnav_core.commands.evaluate import (
+    add_episodes_option,
+    add_metrics_option,
+    described,
+    measure,
+)
 from socialnav_core.commands.files import require_new, write_json
 from socialnav_core.config import ConfigError
 
@@ -32,6 +37,7 @@ def add_parser(commands: Any) -> None:
     parser.add_argument('models', metavar='MODEL', nargs='+', help=MODEL_HELP)
     add_world_options(parser)
     add_episodes_option(parser)
+    add_metrics_option(parser)
     parser.add_argument('--json', type=Path, metavar='FILE', help='write all figures and cases')
     add_overwrite_option(parser)
 
@@ -44,15 +50,17 @@ def run(given: argparse.Namespace) -> None:
     """
     from socialnav_core.evaluation import compare
     from socialnav_core.evaluation.report import comparison_text
+    from socialnav_core.metrics import chosen
 
     if len(given.models) < 2 or len(set(given.models)) < len(given.models):
         raise ConfigError('name two or more different models')
+    chosen(given.further)
     require_new(given.json, given)
     scenario = chosen_scenario(given)
     policies = open_policies(given.models, given)
     results = [measure(model, policy, scenario, given) for model, policy in policies.items()]
     comparisons = compare(results)
-    print(comparison_text(results, comparisons))
+    print(comparison_text(results, comparisons, given.further))
     values = {
         'results': [described(result, given) for result in results],
         'comparisons': [comparison.to_mapping() for comparison in comparisons],

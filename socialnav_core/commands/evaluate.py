@@ -28,6 +28,7 @@ if TYPE_CHECKING:  # torch takes a second, which --help need not
 
 EXAMPLES = """orca --scenario hard --safety-space 0.15
 sarl --scenario crowd20 --episodes 5000 --json out/crowd20.json
+models/sarl --scenario hard --metrics spl mean_jerk
 models/sarl --scenario hard --set scenario.time_limit=35 policy.headings=16
 out/sarl --scenario simple --lookahead oracle --no-screening --card"""
 
@@ -43,6 +44,7 @@ def add_parser(commands: Any) -> None:
     parser.add_argument('model', metavar='MODEL', help=MODEL_HELP)
     add_world_options(parser)
     add_episodes_option(parser)
+    add_metrics_option(parser)
     parser.add_argument('--json', type=Path, metavar='FILE', help='write all figures and cases')
     parser.add_argument(
         '--card', action='store_true', help="add the result to the model's metrics and card"
@@ -61,6 +63,14 @@ def add_episodes_option(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_metrics_option(parser: argparse.ArgumentParser) -> None:
+    """Add `--metrics`."""
+    parser.add_argument(
+        '--metrics', nargs='+', default=[], metavar='NAME', dest='further',
+        help='measure these too, or all; see socialnav metrics',
+    )  # fmt: skip
+
+
 def run(given: argparse.Namespace) -> None:
     """
     Run the command.
@@ -68,7 +78,9 @@ def run(given: argparse.Namespace) -> None:
     :param given: parsed arguments.
     """
     from socialnav_core.evaluation.report import evaluation_text
+    from socialnav_core.metrics import chosen
 
+    chosen(given.further)
     require_new(given.json, given)
     scenario = chosen_scenario(given)
     card = open_card(given) if given.card else None
@@ -76,7 +88,7 @@ def run(given: argparse.Namespace) -> None:
     if card and not given.overwrite:
         card.require_no_better(policy.description, scenario, given)
     result = measure(given.model, policy, scenario, given)
-    print(evaluation_text(result))
+    print(evaluation_text(result, given.further))
     values = described(result, given)
     write_json(given.json, values)
     if card:
@@ -104,7 +116,7 @@ def described(result: Any, given: argparse.Namespace) -> dict[str, Any]:
     :param result: of evaluate.
     :param given: parsed arguments.
     """
-    values = result.to_mapping()
+    values = result.to_mapping(given.further)
     cases = values.pop('cases')
     values['settings'] = parse_assignments(given.assignments) | dict(result.policy.settings)
     return values | {'cases': cases}

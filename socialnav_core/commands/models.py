@@ -7,6 +7,7 @@ from typing import Any
 
 from socialnav_core.commands.arguments import add_command
 from socialnav_core.config import ConfigError
+from socialnav_core.tables import text_table
 
 EXAMPLES = """
 out
@@ -43,7 +44,6 @@ def run(given: argparse.Namespace) -> None:
 
     :param given: parsed arguments.
     """
-    from socialnav_core.evaluation.report import table
     from socialnav_core.places import MODELS
     from socialnav_core.policies.value.checkpoint import WEIGHTS
 
@@ -55,7 +55,7 @@ def run(given: argparse.Namespace) -> None:
         raise ConfigError(f'no models in {parent}; train one with socialnav train quick')
     if given.cards:
         write_cards(folders)
-    print(table([COLUMNS, *(row(folder) for folder in folders)]))
+    print(text_table([COLUMNS, *(row(folder) for folder in folders)]))
 
 
 def write_cards(folders: list[Path]) -> None:
@@ -117,8 +117,11 @@ def headline(result: dict[str, Any]) -> str:
 
     :param result: as in metrics.json.
     """
-    time, split = result['navigation_time_mean'], result['split']
-    remarks = [] if time is None else [f'{time:.2f} s']
+    from socialnav_core.metrics import METRICS
+
+    success, time = METRICS['success_rate'], METRICS['navigation_time_mean']
+    split = result['split']
+    remarks = [] if result[time.name] is None else [time.text(result[time.name])]
     remarks += [] if split == 'test' else [split]
     remark = f' ({", ".join(remarks)})' if remarks else ''
-    return f'{result["scenario"]} {result["success_rate"]:.3f}{remark}'
+    return f'{result["scenario"]} {success.text(result[success.name])}{remark}'

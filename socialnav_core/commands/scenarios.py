@@ -5,6 +5,7 @@ from typing import Any
 
 from socialnav_core.commands.arguments import add_command
 from socialnav_core.config import Scenario
+from socialnav_core.tables import text_table
 
 EXAMPLES = """
 hard
@@ -35,7 +36,6 @@ def run(given: argparse.Namespace) -> None:
     """
     from socialnav_core.config import CROWDS
     from socialnav_core.config.mapping import to_yaml
-    from socialnav_core.evaluation.report import table
     from socialnav_core.simulation import make_scenario, SCENARIOS
 
     if given.scenario is not None:
@@ -45,9 +45,9 @@ def run(given: argparse.Namespace) -> None:
     for name, meaning in SCENARIOS.items():
         example = name.replace('-R', f'-{EXAMPLE_RADIUS}')
         rows.append((name, *parameters(make_scenario(example), example != name), meaning))
-    print(table(rows))
+    print(text_table(rows))
     print()
-    print(table([('crowd', 'meaning'), *CROWDS.items()]))
+    print(text_table([('crowd', 'meaning'), *CROWDS.items()]))
 
 
 def parameters(scenario: Scenario, growing: bool) -> tuple[str, ...]:

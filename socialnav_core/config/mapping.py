@@ -82,27 +82,23 @@ def replace(settings: Settings, assignments: Mapping[str, Any], where: str = '')
     """
     values = to_mapping(settings)
     for path, value in assignments.items():
-        assign(values, path, value, where)
+        assign(values, path, value)
     return from_mapping(type(settings), values, where)
 
 
-def assign(values: dict[str, Any], path: str, value: Any, where: str = '') -> None:
+def assign(values: dict[str, Any], path: str, value: Any) -> None:
     """
-    Set a nested value in place.
+    Set a nested value in place; sections that are missing are made.
 
-    :param values: nested mappings, complete.
-    :param path: dotted name; every part but the last must exist.
-    :param value: what it becomes.
-    :param where: dotted path of the mapping, for messages.
-    :raises ConfigError: for an unknown key.
+    Whether there is such a setting comes out when the mapping becomes a dataclass.
+
+    :param path: dotted name.
     """
-    *parents, last = path.split('.')
-    for parent in parents:
-        if not isinstance(values.get(parent), dict):
-            raise ConfigError(unknown_key(where, parent, values))
-        values, where = values[parent], join(where, parent)
-    if last not in values:
-        raise ConfigError(unknown_key(where, last, values))
+    *sections, last = path.split('.')
+    for section in sections:
+        inner = values.get(section)
+        values[section] = dict(inner) if isinstance(inner, Mapping) else {}
+        values = values[section]
     values[last] = value
 
 
@@ -203,10 +199,14 @@ def unknown_key(where: str, key: str, known: Iterable[str]) -> str:
     :param key: what was asked for.
     :param known: what exists.
     """
-    known = list(known)
-    nearest = difflib.get_close_matches(key, known, n=1, cutoff=0.5)
-    hint = f'did you mean {nearest[0]}?' if nearest else f'there are: {", ".join(known)}'
-    return f'unknown setting {join(where, key)!r}; {hint}'
+    return f'unknown setting {join(where, key)!r}; {hint(key, known)}'
+
+
+def hint(key: str, known: Iterable[str]) -> str:
+    """Return which of the names that exist may be meant by one that does not."""
+    names = list(known)
+    nearest = difflib.get_close_matches(key, names, n=1, cutoff=0.5)
+    return f'did you mean {nearest[0]}?' if nearest else f'there are: {", ".join(names)}'
 
 
 def join(where: str, key: str) -> str:

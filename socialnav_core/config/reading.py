@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from socialnav_core.config.mapping import ConfigError, from_mapping, read_yaml, to_mapping
+from socialnav_core.config.mapping import assign, ConfigError, from_mapping, read_yaml, to_mapping
 from socialnav_core.config.prediction import PredictionConfig
 from socialnav_core.config.scenarios import resolve_scenario
 from socialnav_core.config.training import Config
@@ -53,7 +53,9 @@ def read_values(path: Path, assignments: Mapping[str, Any]) -> dict[str, Any]:
     """Return what a file says, changed by assignments; its name is that of the file by default."""
     values: dict[str, Any] = {'name': path.stem} | read_yaml(path)
     for key, value in assignments.items():
-        assign_nested(values, key, value)
+        if key.startswith('scenario.') and isinstance(values.get('scenario'), str):
+            values['scenario'] = {'name': values['scenario']}
+        assign(values, key, value)
     return values
 
 
@@ -72,24 +74,6 @@ def find_config(source: str | Path, folder: Path) -> Path:
         return packaged
     names = ', '.join(sorted(each.stem for each in folder.glob('*.yaml')))
     raise ConfigError(f'{source} is neither a file nor one of the configurations {names}')
-
-
-def assign_nested(values: dict[str, Any], key: str, value: Any) -> None:
-    """
-    Set a nested value in place; sections that are missing are made.
-
-    :param values: nested mappings as read from YAML; a scenario may be just its name.
-    :param key: dotted name.
-    :param value: what it becomes.
-    """
-    *sections, last = key.split('.')
-    for section in sections:
-        inner = values.get(section)
-        if section == 'scenario' and isinstance(inner, str):
-            inner = {'name': inner}
-        values[section] = dict(inner) if isinstance(inner, Mapping) else {}
-        values = values[section]
-    values[last] = value
 
 
 def with_shared(policy: Mapping[str, Any], scenario: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """Results of predictions as text."""
 
 from socialnav_core.evaluation.prediction import PredictionResult, TIMES
-from socialnav_core.evaluation.report import table
+from socialnav_core.tables import text_table
 
 
 def result_table(results: list[PredictionResult]) -> str:
@@ -9,7 +9,7 @@ def result_table(results: list[PredictionResult]) -> str:
     moments = ' / '.join(f'{time:g}' for time in TIMES)
     head = ('crowd', 'noise', 'people', f'error at {moments} s', 'constant velocity',
             'within 1 sigma', 'within 2 sigma')  # fmt: skip
-    return table([head, *(cells(result) for result in results)])
+    return text_table([head, *(cells(result) for result in results)])
 
 
 def cells(result: PredictionResult) -> tuple[str, ...]:

@@ -1,6 +1,6 @@
 """Run a policy on given cases, each exactly once, and measure it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 import dataclasses
 import time
 from typing import Any
@@ -9,14 +9,14 @@ import numpy as np
 
 from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config import require, Scenario
-from socialnav_core.evaluation.metrics import (
+from socialnav_core.evaluation.statistics import wilson_interval
+from socialnav_core.metrics import (
     case_mappings,
-    empty_records,
+    EpisodeRecorder,
     EpisodeRecords,
-    INTRUSION_DISTANCE,
+    METRICS,
     summarise,
 )
-from socialnav_core.evaluation.statistics import wilson_interval
 from socialnav_core.policies.protocol import (
     Policy,
     PolicyDescription,
@@ -68,14 +68,30 @@ class EvaluationResult:
     @property
     def success_interval(self) -> tuple[float, float]:
         """Return Wilson's 95 % interval of the success rate."""
-        return wilson_interval(int(self.records.success.sum()), self.episodes)
+        return self.interval('success_rate')
 
-    def summary(self) -> dict[str, float | None]:
-        """Return rates and means by name."""
-        return summarise(self.records)
+    def interval(self, metric: str) -> tuple[float, float]:
+        """
+        Return Wilson's 95 % interval of a rate.
 
-    def to_mapping(self) -> dict[str, Any]:
-        """Return everything as plain values, fit for JSON."""
+        :param metric: name of one that is true or false in each episode.
+        """
+        return wilson_interval(int(METRICS[metric].measure(self.records).sum()), self.episodes)
+
+    def summary(self, further: Iterable[str] = ()) -> dict[str, float | None]:
+        """
+        Return the figure of each metric by name.
+
+        :param further: names of metrics besides those that are always measured, or `all`.
+        """
+        return summarise(self.records, further)
+
+    def to_mapping(self, further: Iterable[str] = ()) -> dict[str, Any]:
+        """
+        Return everything as plain values, fit for JSON.
+
+        :param further: names of metrics besides those that are always measured, or `all`.
+        """
         named = ('model', 'scenario', 'seed', 'split', 'episodes')
         return {
             **{name: getattr(self, name) for name in named},
@@ -83,9 +99,9 @@ class EvaluationResult:
             'knowledge': self.policy.knowledge,
             'screening': self.policy.screening,
             'success_interval': list(self.success_interval),
-            **self.summary(),
+            **self.summary(further),
             'decisions_per_second': self.decisions_per_second,
-            'cases': case_mappings(self.records),
+            'cases': case_mappings(self.records, further),
         }
 
 
@@ -118,25 +134,23 @@ def evaluate(
     keep_freed_memory()
     require(episodes >= 1, f'the number of episodes must be at least 1, not {episodes}')
     require_same_kinematics(policy, scenario)
-    records = empty_records(np.arange(episodes))
+    recorder = EpisodeRecorder(episodes, scenario.goal_tolerance)
     simulator = Simulator(scenario, min(batch_size, episodes))
-    state = simulator.reset(seed=seed, split=split, cases=records.case_index)
+    state = simulator.reset(seed=seed, split=split, cases=np.arange(episodes))
     policy.reset()
     attach_simulator(
         policy.predictor,
         lambda: simulator.next_agent_velocities()[asked_worlds(policy, simulator.active)],
     )
-    intrusions = np.zeros(simulator.batch_size, np.int64)  # of the running episodes
     seconds = 0.0
     while (active := simulator.active).any():
         started = time.perf_counter()
         command = commands_where_active(policy, state, active)
         seconds += time.perf_counter() - started
+        before = state
         state, _, terminated, truncated, info = simulator.step(command)
-        intrusions += active & (info['pedestrian_clearance'] < INTRUSION_DISTANCE)
         ended = np.flatnonzero(terminated | truncated)
-        _keep(records, ended, info | {'intrusions': intrusions})
-        intrusions[ended] = 0
+        recorder.add(before, command, info, ended)
         if len(ended):
             policy.reset(ended)
             if callable(progress):
@@ -147,7 +161,7 @@ def evaluate(
         seed=seed,
         split=split,
         policy=policy.description,
-        records=records,
+        records=recorder.records(),
         decision_seconds=seconds,
     )
 
@@ -174,10 +188,3 @@ def commands_where_active(policy: Policy, state: CrowdState, active: np.ndarray)
     commands = np.zeros((len(asked), 2))
     commands[asked] = policy.act(state.select(asked))
     return commands
-
-
-def _keep(records: EpisodeRecords, worlds: np.ndarray, info: dict[str, np.ndarray]) -> None:
-    """Write the episodes that ended in some worlds into the records, where case i is row i."""
-    cases = info['case_index'][worlds]
-    for field in dataclasses.fields(EpisodeRecords):
-        getattr(records, field.name)[cases] = info[field.name][worlds]

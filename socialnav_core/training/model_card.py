@@ -6,10 +6,12 @@ from pathlib import Path
 from typing import Any
 
 from socialnav_core.config import Config, ConfigError, TrainingConfig
+from socialnav_core.metrics import Metric, Place, shown_in
 from socialnav_core.policies.value.checkpoint import Checkpoint
 from socialnav_core.prediction import knowledge_of
 from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.storage import atomic_write
+from socialnav_core.tables import markdown_table, number
 from socialnav_core.training.progress import CSV_NAME
 
 METRICS_NAME = 'metrics.json'
@@ -213,25 +215,40 @@ def results_section(results: list[dict[str, Any]]) -> str:
     """
     if not results:
         return '## Results\n\nNot measured yet; see the last command below.'
-    lines = [
-        '## Results\n',
-        'Success with its 95 % Wilson interval; time is the mean over successes.\n',
-        '| scenario | look-ahead | knowledge | screening | cases | success | collision | time-out '
-        '| time, s |',
-        '|---|---|---|---|---|---|---|---|---|',
+    metrics = shown_in(Place.CARD, {name for result in results for name in result})
+    head = ['scenario', 'look-ahead', 'knowledge', 'screening', 'cases']
+    head += [metric.column_with_unit for metric in metrics]
+    return (
+        '## Results\n\n'
+        'Success with its 95 % Wilson interval; time is the mean over successes.\n\n'
+        f'{markdown_table(head, [result_row(result, metrics) for result in results])}'
+    )
+
+
+def result_row(result: dict[str, Any], metrics: list[Metric]) -> list[str]:
+    """
+    Return the cells of a result: what was run, then the figures.
+
+    :param result: of an evaluation; one that lacks a metric has a dash there.
+    """
+    return [
+        result['scenario'],
+        result['lookahead'],
+        knowledge_of(result['lookahead']),
+        'on' if result['screening'] else 'off',
+        f'{result["episodes"]:,} {result["split"]}, seed {result["seed"]}',
+        *(card_figure(result, metric) for metric in metrics),
     ]
-    for result in results:
-        low, high = result['success_interval']
-        time = result['navigation_time_mean']
-        knowledge = knowledge_of(result['lookahead'])
-        lines.append(
-            f'| {result["scenario"]} | {result["lookahead"]} | {knowledge} | '
-            f'{"on" if result["screening"] else "off"} | {result["episodes"]:,} '
-            f'{result["split"]}, seed {result["seed"]} | {result["success_rate"]:.4f} '
-            f'[{low:.4f}, {high:.4f}] | {result["collision_rate"]:.4f} | '
-            f'{result["timeout_rate"]:.4f} | {"-" if time is None else f"{time:.2f}"} |'
-        )
-    return '\n'.join(lines)
+
+
+def card_figure(result: dict[str, Any], metric: Metric) -> str:
+    """Return a figure; shares with one more digit than elsewhere, as cards have many cases."""
+    digits = metric.digits if metric.unit else metric.digits + 1
+    text = number(result.get(metric.name), digits)
+    if metric.name != 'success_rate':
+        return text
+    low, high = (number(end, digits) for end in result['success_interval'])
+    return f'{text} [{low}, {high}]'
 
 
 def limits(config: Config) -> str:

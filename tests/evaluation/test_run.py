@@ -7,6 +7,7 @@ import pytest
 
 from socialnav_core.config import ConfigError
 from socialnav_core.evaluation import evaluate
+from socialnav_core.metrics import intrusions
 from socialnav_core.policies import OrcaPolicy, StraightLinePolicy
 from socialnav_core.simulation import make_scenario, Simulator
 
@@ -77,7 +78,7 @@ def test_records_agree_with_a_run_by_hand():
     assert records.outcome[4] == info['outcome'][0]
     assert records.time[4] == info['time'][0]
     assert records.path_length[4] == pytest.approx(path)
-    assert records.intrusions[4] == close
+    assert intrusions(records)[4] == close
 
 
 def test_the_mapping_has_every_field_that_readers_rely_on():

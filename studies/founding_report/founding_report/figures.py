@@ -18,10 +18,11 @@ from founding_report.freezing import (
     standing_since,
 )
 from founding_report.laboratory import Laboratory
-from founding_report.markdown import LOOKAHEAD_LABELS, markdown_table
+from founding_report.markdown import LOOKAHEAD_LABELS
 from founding_report.page import interpretation
 from socialnav_core.policies.value.checkpoint import checkpoint_digest
 from socialnav_core.storage import written_whole
+from socialnav_core.tables import markdown_table
 from socialnav_core.viewing.plots import plot_recordings
 from socialnav_core.viewing.recording import summary
 

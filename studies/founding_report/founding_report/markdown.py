@@ -1,25 +1,14 @@
 """Numbers and tables as Markdown."""
 
-from collections.abc import Sequence
 from decimal import Decimal, ROUND_HALF_UP
 
 from socialnav_core.evaluation.statistics import Estimate
+from socialnav_core.metrics import METRICS
+from socialnav_core.tables import NOTHING
 
-NOTHING = '-'
 LOOKAHEAD_LABELS = {'oracle': 'oracle', 'constant_velocity': 'constant velocity'}
-DIGITS = {'time': 2}
+DIGITS = {'time': METRICS['navigation_time_mean'].digits}
 """Digits after the point; 3 for rates."""
-
-
-def markdown_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """
-    Return a table.
-
-    :param head: names of the columns.
-    :param rows: cells, as many in each row.
-    """
-    lines = [head, ['---'] * len(head), *rows]
-    return '\n'.join(f'| {" | ".join(cells)} |' for cells in lines)
 
 
 def number(value: float | None, figure: str) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from socialnav_core.evaluation.metrics import COLLISIONS
+from socialnav_core.metrics import COLLISIONS
 from socialnav_core.policies.value.checkpoint import checkpoint_digest
 from socialnav_core.simulation import Outcome
 from socialnav_core.storage import atomic_write

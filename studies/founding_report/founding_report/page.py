@@ -10,14 +10,13 @@ from founding_report.laboratory import Laboratory
 from founding_report.markdown import (
     estimate_text,
     LOOKAHEAD_LABELS,
-    markdown_table,
-    NOTHING,
     number,
     p_value,
 )
 from founding_report.paired import PairedDifference
 from founding_report.report_tables import report_has_any, report_table, verdict_table
 from founding_report.summary import FIGURES, seed_interval, Summary
+from socialnav_core.tables import markdown_table, NOTHING
 
 LEVEL = 0.05
 """Below it, a difference of a seed is called one."""

@@ -3,13 +3,14 @@
 from collections.abc import Iterable, Sequence
 
 from founding_report.experiments import COLUMNS, Experiment
-from founding_report.markdown import LOOKAHEAD_LABELS, markdown_table, number
+from founding_report.markdown import LOOKAHEAD_LABELS, number
 from founding_report.measurements import LOOKAHEADS
 from founding_report.report_figures import PARAMETERS, reported
 from founding_report.rows import Row
 from founding_report.summary import Summary
 from founding_report.verdicts import rate_verdict, time_verdict
 from socialnav_core.policies.value.checkpoint import build_network
+from socialnav_core.tables import markdown_table
 
 REPORTED = ('success', 'collision', 'time')
 NAMES = {

@@ -9,11 +9,7 @@ from founding_report.experiments import Entry
 from founding_report.laboratory import Laboratory
 from founding_report.measurements import Cases, Measurement
 from founding_report.rows import Row
-from socialnav_core.evaluation.statistics import (
-    Estimate,
-    seeds_and_cases_bootstrap,
-    wilson_interval,
-)
+from socialnav_core.evaluation.statistics import Estimate, seeds_and_cases_bootstrap
 
 FIGURES: dict[str, Callable[[Measurement], np.ndarray]] = {
     'success': lambda measurement: measurement.success,
@@ -76,7 +72,8 @@ def seed_interval(measurement: Measurement) -> tuple[float, float]:
 
     :param measurement: of the seed.
     """
-    return wilson_interval(int(measurement.success.sum()), len(measurement.success))
+    low, high = measurement.summary['success_interval']
+    return low, high
 
 
 def summarise(entry: Entry, laboratory: Laboratory) -> list[Summary]:

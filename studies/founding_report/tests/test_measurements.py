@@ -99,7 +99,7 @@ def test_every_pair_of_an_experiment_is_compared_where_both_were_tested(
     found = [(d.first.row.name, d.second.row.name) for d in differences]
     assert set(found) == set(experiment.pairs)
     assert all(d.first.key[1:] == d.second.key[1:] for d in differences)
-    assert paired(differences).count('\n| ') == len(differences) + 2
+    assert paired(differences).count('\n| ') == len(differences) + 1
 
 
 def test_adjusted_probabilities_are_never_smaller(two_rows):

@@ -1,18 +1,26 @@
 """What the demo prints and writes."""
 
 import json
-import math
 from pathlib import Path
 from typing import Any
 
+from socialnav_core.metrics import METRICS
+from socialnav_core.metrics.table import finite_or_none
+from socialnav_core.tables import aligned
 from socialnav_msgs.msg import EpisodeResult
 
-FIELDS = (
-    'scenario', 'seed', 'case_index', 'outcome', 'time', 'path_length', 'minimum_clearance',
+FIELDS = tuple(name for name in EpisodeResult.get_fields_and_field_types() if name != 'header')
+MEASURED = {
+    metric.key: metric
+    for metric in METRICS.values()
+    if metric.key is not None and metric.key in FIELDS
+}
+"""Metrics that the message has a field for, by the names of the fields."""
+HEADINGS = (
+    'episode', 'scenario', 'case', 'outcome', *(metric.column for metric in MEASURED.values()),
     'steps',
 )  # fmt: skip
-HEADINGS = ('episode', 'scenario', 'case', 'outcome', 'time', 'path', 'clearance', 'steps')
-WIDTHS = (7, 14, 5, 13, 8, 8, 9, 5)
+WIDTHS = (7, 14, 5, 13, *(max(8, len(metric.column)) for metric in MEASURED.values()), 5)
 
 
 def row(number: int, result: EpisodeResult) -> str:
@@ -20,28 +28,16 @@ def row(number: int, result: EpisodeResult) -> str:
     Return an episode as a line of the table.
 
     :param number: counted from 1.
-    :param result: how it ended.
     """
     cells = (
         str(number),
         result.scenario,
         str(result.case_index),
         result.outcome,
-        f'{result.time:.2f} s',
-        f'{result.path_length:.2f} m',
-        f'{result.minimum_clearance:.2f} m',
+        *(metric.text(getattr(result, name)) for name, metric in MEASURED.items()),
         str(result.steps),
     )
-    return aligned(cells)
-
-
-def aligned(cells: tuple[str, ...]) -> str:
-    """
-    Return cells side by side.
-
-    :param cells: one for each heading.
-    """
-    return '  '.join(cell.rjust(width) for cell, width in zip(cells, WIDTHS, strict=True))
+    return aligned(cells, WIDTHS, str.rjust)
 
 
 def table(results: list[EpisodeResult]) -> str:
@@ -50,21 +46,19 @@ def table(results: list[EpisodeResult]) -> str:
 
     :param results: in the order in which they ended; at least one.
     """
-    lines = [aligned(HEADINGS), *(row(number, one) for number, one in enumerate(results, 1))]
+    lines = [
+        aligned(HEADINGS, WIDTHS, str.rjust),
+        *(row(number, one) for number, one in enumerate(results, 1)),
+    ]
     times = [result.time for result in results if result.outcome == 'goal']
     mean = f', {sum(times) / len(times):.2f} s on average' if times else ''
     return '\n'.join([*lines, f'{len(times)} of {len(results)} reached the goal{mean}'])
 
 
 def record_of(result: EpisodeResult) -> dict[str, Any]:
-    """
-    Return an episode as JSON has it: null for an infinite clearance.
-
-    :param result: how it ended.
-    """
+    """Return an episode as JSON has it: null for an infinite clearance."""
     values = {name: getattr(result, name) for name in FIELDS}
-    clearance = values['minimum_clearance']
-    return values | {'minimum_clearance': clearance if math.isfinite(clearance) else None}
+    return values | {name: finite_or_none(values[name]) for name in MEASURED}
 
 
 def write_json(results: list[EpisodeResult], path: Path) -> None:

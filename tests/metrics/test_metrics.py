@@ -1,28 +1,13 @@
 """Figures of episodes whose outcomes are known."""
 
-import dataclasses
 import json
 
+from made_records import make_records
 import numpy as np
 import pytest
 
-from socialnav_core.evaluation.metrics import case_mappings, empty_records, summarise
+from socialnav_core.metrics import case_mappings, summarise
 from socialnav_core.simulation import Outcome
-
-
-def make_records(outcomes, **columns):
-    count = len(outcomes)
-    defaults = {
-        'outcome': outcomes,
-        'time': np.arange(1.0, count + 1),
-        'path_length': np.arange(10.0, count + 10),
-        'minimum_clearance': np.full(count, 0.5),
-        'steps': np.full(count, 10),
-        'intrusions': np.zeros(count, int),
-    }
-    columns = {name: np.asarray(column) for name, column in (defaults | columns).items()}
-    return dataclasses.replace(empty_records(np.arange(count)), **columns)
-
 
 EVERY_OUTCOME = [outcome for outcome in Outcome if outcome != Outcome.NONE]
 
