@@ -10,13 +10,14 @@ import yaml
 
 ROOT = Path(__file__).parents[1]
 NODES = ROOT / 'ros_ws' / 'src' / 'socialnav' / 'socialnav'
+NODES = ROOT / 'ros_ws' / 'src' / 'socialnav' / 'socialnav'
 ARCHITECTURE = (ROOT / 'docs' / 'architecture.md').read_text()
 LINK = re.compile(r'\]\(([^)\s]+)\)')
 FRAGMENTS = 'notes'
 """Folder of texts that become parts of the pages beside it."""
 PARTS = ('models', 'tests', 'docs', 'studies/founding_report', '.github', 'ros_ws/wheels')
 """Folders that the page describes together with all that they hold."""
-INSIDE = re.compile(r'/(config|data|launch|msg|recipes|resource|rviz|srv|test)$')
+INSIDE = re.compile(r'/(config|data|launch|msg|recipes|resource|rviz|srv|test)(/|$)')
 """Folders of data and tests; what holds them says what they are."""
 EXPLAINED = re.compile(r'socialnav_core/config$')
 
@@ -70,10 +71,8 @@ def test_the_paths_through_the_code_name_functions_that_exist():
     rows = re.findall(r'^\| .* \| `([\w/]+\.py)` \| `(\w+)` \|$', ARCHITECTURE, re.MULTILINE)
     assert len(rows) > 20
     for file, name in rows:
-        package = (
-            ROOT if file.startswith('socialnav_core/') else ROOT / 'ros_ws/src/socialnav/socialnav'
-        )
-        assert re.search(rf'(def|class) {name}\b', (package / file).read_text()), (file, name)
+        folder = ROOT if file.startswith('socialnav_core/') else NODES
+        assert re.search(rf'(def|class) {name}\b', (folder / file).read_text()), (file, name)
 
 
 def test_every_yaml_and_json_file_can_be_read():

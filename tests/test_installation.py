@@ -117,6 +117,8 @@ def test_the_shipped_models_and_the_scenarios_come_with_it(installation):
         assert f'{weights.parent.name} ' in listing
     assert 'damaged' not in listing
     assert 'hard' in installation.run('socialnav', 'scenarios')
+    predictor = 'from socialnav_core.prediction.learned.checkpoint import load_predictor as load'
+    installation.run('python', '-c', f'{predictor}; load()')
 
 
 def test_the_study_is_not_part_of_it(installation):

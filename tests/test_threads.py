@@ -26,13 +26,13 @@ def inference(monkeypatch):
     """Return inference that notes how many threads its network is computed with."""
     result = ValueInference(build_network(PolicyConfig()))
     result.used = []
-    forward = result._current_forward
+    forward = result.network.forward
 
-    def noted():
+    def noted(*arrays):
         result.used.append(torch.get_num_threads())
-        return forward()
+        return forward(*arrays)
 
-    monkeypatch.setattr(result, '_current_forward', noted)
+    monkeypatch.setattr(result.network, 'forward', noted)
     return result
 
 

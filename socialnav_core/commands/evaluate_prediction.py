@@ -13,7 +13,7 @@ from socialnav_core.commands.arguments import (
     whole_number,
 )
 from socialnav_core.commands.choices import use_threads
-from socialnav_core.commands.files import require_new, write_json
+from socialnav_core.commands.files import require_new, require_own, write_json
 from socialnav_core.config import ConfigError
 
 EXAMPLES = """
@@ -63,6 +63,8 @@ def run(given: argparse.Namespace) -> None:
     from socialnav_core.training.prediction.model_card import add_results
 
     require_new(given.json, given)
+    if given.card:
+        require_own(find_predictor(given.model))
     crowds = CROWDS if given.crowds is None else given.crowds
     for crowd in crowds:
         if crowd not in CROWDS:

@@ -2,7 +2,6 @@
 
 import argparse
 from pathlib import Path
-import sys
 from typing import Any
 
 from socialnav_core.commands.arguments import (
@@ -48,7 +47,5 @@ def run(given: argparse.Namespace) -> None:
         assignments['seed'] = given.seed
     config = read_prediction_config(given.config, assignments)
     out = given.out or Path('out', config.name)
-    train_prediction(
-        config, out, resume=given.resume, overwrite=given.overwrite, progress=sys.stderr.isatty()
-    )
+    train_prediction(config, out, resume=given.resume, overwrite=given.overwrite)
     print(f'{out}: trained; measure it with socialnav evaluate-prediction {out}')

@@ -7,11 +7,12 @@ import shlex
 import time
 
 from torch import nn
-from tqdm import tqdm
 
 from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config.prediction import PredictionConfig, PredictionTrainingConfig
 from socialnav_core.prediction.learned.checkpoint import save_weights
+from socialnav_core.progress import progress_bar
+from socialnav_core.threads import chosen_threads
 from socialnav_core.training.folder import finish_folder, prepare_folder
 from socialnav_core.training.interruption import Interruption, TrainingInterrupted
 from socialnav_core.training.prediction.examples import draw_examples
@@ -29,6 +30,7 @@ COLUMNS = (
 WARM_UP = 200  # updates
 
 
+@chosen_threads()
 def train_prediction(
     config: PredictionConfig,
     out: Path,
@@ -60,9 +62,10 @@ def train_prediction(
         save(run, out)
         with (
             open_csv(out / CSV_NAME, run.updates, COLUMNS) as file,
-            tqdm(total=config.training.updates, initial=run.updates, desc='prediction',
-                 unit='update', disable=not progress, dynamic_ncols=True) as bar,
-        ):  # fmt: skip
+            progress_bar(
+                config.training.updates, 'prediction', 'update', run.updates, progress
+            ) as bar,
+        ):
             rows = csv.DictWriter(file, COLUMNS)
             while not run.finished and not interruption.requested:
                 before, row = run.updates, iterate(run)
