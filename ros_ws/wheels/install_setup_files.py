@@ -51,12 +51,7 @@ exec {python} {wheels}/ros2.py "$@"
 
 
 def search_paths(environment: Path, site_packages: Path) -> list[tuple[str, Path]]:
-    """
-    Return (variable, folder) pairs; the last folder of a variable is searched first.
-
-    :param environment: folder of the virtual environment.
-    :param site_packages: where its packages are.
-    """
+    """Return (variable, folder) pairs; the last folder of a variable is searched first."""
     libraries = [*sorted(site_packages.glob('ros_*.libs')), environment / 'lib']
     return [
         ('AMENT_PREFIX_PATH', environment),
@@ -67,12 +62,7 @@ def search_paths(environment: Path, site_packages: Path) -> list[tuple[str, Path
 
 
 def setup_script(environment: Path, site_packages: Path) -> str:
-    """
-    Return the text of the script that is sourced.
-
-    :param environment: folder of the virtual environment.
-    :param site_packages: where its packages are.
-    """
+    """Return the text of the script that is sourced."""
     pairs = search_paths(environment, site_packages)
     prepend = '\n'.join(f'_socialnav_prepend {name} {quote(str(path))}' for name, path in pairs)
     defaults = quote(f'{environment}/{DEFAULTS_FILE}')

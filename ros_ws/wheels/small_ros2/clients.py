@@ -21,11 +21,7 @@ CHANGING = (ChangeState, SetParameters)
 
 
 def absolute(node_name: str) -> str:
-    """
-    Return the full name of a node.
-
-    :param node_name: with or without the first slash.
-    """
+    """Return the full name of a node, given with or without the first slash."""
     return '/' + node_name.lstrip('/')
 
 
@@ -33,7 +29,6 @@ def full_names(node: Node, hidden: bool = False) -> list[str]:
     """
     Return the full names of the nodes that have been seen, in order.
 
-    :param node: that looks.
     :param hidden: names that begin with an underscore too.
     """
     pairs = node_names(node, hidden)
@@ -44,11 +39,8 @@ def ask(node: Node, kind: type, owner: str, service: str, request: Any) -> Any:
     """
     Return the response of a service of a node.
 
-    :param node: that asks.
-    :param kind: class of the service.
     :param owner: full name of the node that has it.
     :param service: its name within that node.
-    :param request: what to ask.
     :raises CommandError: when there is no such node, or it does not answer.
     """
     client = node.create_client(kind, f'{owner}/{service}')
@@ -65,9 +57,6 @@ def response_of(node: Node, client: Any, request: Any, tries: int = 1) -> Any:
     """
     Return the response of a service that is there.
 
-    :param node: that asks.
-    :param client: of the service.
-    :param request: what to ask.
     :param tries: how often to ask before no answer counts as none.
     :raises CommandError: when no answer comes.
     """

@@ -18,7 +18,6 @@ def filled(kind: type, text: str) -> Any:
     """
     Return a message with the values that were typed.
 
-    :param kind: class of the message.
     :param text: YAML of a mapping from field to value.
     :raises CommandError: when the values do not fit.
     """
@@ -34,7 +33,6 @@ def fill(message: Any, values: Mapping[str, Any]) -> None:
     """
     Set fields of a message; the others keep their defaults.
 
-    :param message: of any type.
     :param values: by field; mappings for messages within, lists for arrays.
     :raises AttributeError: there is no such field.
     :raises AssertionError: a value does not fit into its field.
@@ -79,7 +77,6 @@ def plain(value: Any, present: Any, kind: str) -> Any:
 
     :param value: as YAML gives it, which takes 1 for a whole number and not for a float.
     :param present: what is in the field.
-    :param kind: type of the field.
     """
     if isinstance(value, list):
         is_real = 'double' in kind or 'float' in kind

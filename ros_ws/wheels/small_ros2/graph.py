@@ -70,7 +70,6 @@ def comes(wanted: Callable[[], object], patience: float) -> bool:
     """
     Wait until something is there; return whether it is.
 
-    :param wanted: true when it is there.
     :param patience: longest time to wait, s.
     """
     deadline = time.monotonic() + patience
@@ -85,8 +84,6 @@ def spin(node: Node, done: Future, patience: float = math.inf) -> None:
     """
     Serve a node until something is done.
 
-    :param node: to serve.
-    :param done: ends it.
     :param patience: time after which it ends all the same, s.
     """
     deadline = time.monotonic() + patience
@@ -96,12 +93,7 @@ def spin(node: Node, done: Future, patience: float = math.inf) -> None:
 
 
 def look(node: Node, wanted: Callable[[], object]) -> bool:
-    """
-    Wait until something is there and the graph has come to rest; return whether it is there.
-
-    :param node: that looks.
-    :param wanted: true when it is there.
-    """
+    """Wait until something is there and the graph has come to rest; return whether it is there."""
     deadline = time.monotonic() + PATIENCE
     before, since = snapshot(node), time.monotonic()
     while (now := time.monotonic()) < deadline:
@@ -115,11 +107,7 @@ def look(node: Node, wanted: Callable[[], object]) -> bool:
 
 
 def snapshot(node: Node) -> tuple:
-    """
-    Return what is known of the graph at present.
-
-    :param node: that looks.
-    """
+    """Return what is known of the graph at present."""
     topics = [name for name, _ in node.get_topic_names_and_types()]
     counts = [(name, node.count_publishers(name), node.count_subscribers(name)) for name in topics]
     return sorted(node.get_node_names_and_namespaces()), sorted(counts)
@@ -129,7 +117,6 @@ def node_names(node: Node, hidden: bool = False) -> list[tuple[str, str]]:
     """
     Return the (name, namespace) of each node, this one left out.
 
-    :param node: that looks.
     :param hidden: names that begin with an underscore too.
     """
     names = node.get_node_names_and_namespaces()
@@ -138,9 +125,5 @@ def node_names(node: Node, hidden: bool = False) -> list[tuple[str, str]]:
 
 
 def visible(names_and_types: list[tuple[str, list[str]]]) -> list[tuple[str, list[str]]]:
-    """
-    Return names with their types in order, hidden ones (/_name) left out.
-
-    :param names_and_types: of topics, services or actions.
-    """
+    """Return names with their types in order, hidden ones (/_name) left out."""
     return [pair for pair in sorted(names_and_types) if '/_' not in pair[0]]

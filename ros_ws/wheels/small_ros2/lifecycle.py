@@ -14,11 +14,7 @@ STATE_TYPE = 'lifecycle_msgs/srv/GetState'
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the group.
-
-    :param parser: of the group.
-    """
+    """Declare the arguments of the group."""
     verbs = parser.add_subparsers(metavar='VERB', required=True)
     verb = verbs.add_parser('nodes', help='print the names of the managed nodes')
     verb.add_argument('-a', '--all', action='store_true', help='hidden nodes too')
@@ -36,7 +32,6 @@ def managed_nodes(node: Node, hidden: bool = False) -> list[str]:
     """
     Return the full names of the managed nodes.
 
-    :param node: that looks.
     :param hidden: names that begin with an underscore too.
     """
     look(node, lambda: full_names(node, hidden))
@@ -46,22 +41,14 @@ def managed_nodes(node: Node, hidden: bool = False) -> list[str]:
 
 
 def list_nodes(options: argparse.Namespace) -> None:
-    """
-    Print the names of the managed nodes.
-
-    :param options: the parsed command line.
-    """
+    """Print the names of the managed nodes."""
     with probe() as node:
         for name in managed_nodes(node, options.all):
             print(name)
 
 
 def get(options: argparse.Namespace) -> None:
-    """
-    Print the state of a node, or of each managed node.
-
-    :param options: the parsed command line.
-    """
+    """Print the state of a node, or of each managed node."""
     with probe() as node:
         wanted = [absolute(options.node_name)] if options.node_name else managed_nodes(node)
         for name in wanted:
@@ -71,11 +58,7 @@ def get(options: argparse.Namespace) -> None:
 
 
 def set_state(options: argparse.Namespace) -> None:
-    """
-    Trigger a transition of a node.
-
-    :param options: the parsed command line.
-    """
+    """Trigger a transition of a node."""
     name = absolute(options.node_name)
     with probe() as node:
         transition = chosen(available(node, name), options.transition)
@@ -89,7 +72,6 @@ def available(node: Node, name: str) -> list[Transition]:
     """
     Return the transitions that a node can make from its present state.
 
-    :param node: that asks.
     :param name: full name of the other node.
     """
     request = GetAvailableTransitions.Request()
@@ -101,7 +83,6 @@ def chosen(transitions: list[Transition], wanted: str) -> Transition:
     """
     Return the transition that is meant.
 
-    :param transitions: those that can be made.
     :param wanted: label or number of one.
     :raises CommandError: when it cannot be made.
     """

@@ -31,7 +31,6 @@ def message_text(message: Any, longest: int | None) -> str:
     """
     Return a message as YAML.
 
-    :param message: of any type.
     :param longest: elements of arrays and characters of strings to show; all when none.
     """
     return yaml.dump(
@@ -44,7 +43,6 @@ def plain(value: Any, longest: int | None) -> Any:
     """
     Return a value of a field as dictionaries, lists, strings and numbers.
 
-    :param value: of any type that a field can have.
     :param longest: elements of arrays and characters of strings to show; all when none.
     """
     if hasattr(value, 'get_fields_and_field_types'):

@@ -14,11 +14,7 @@ from small_ros2.graph import look, node_names, probe, visible
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the group.
-
-    :param parser: of the group.
-    """
+    """Declare the arguments of the group."""
     verbs = parser.add_subparsers(metavar='VERB', required=True)
     verb = verbs.add_parser('list', help='print the names of the nodes')
     verb.add_argument('-a', '--all', action='store_true', help='hidden nodes too')
@@ -29,21 +25,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def full_name(name: str, namespace: str) -> str:
-    """
-    Return the name of a node with its namespace.
-
-    :param name: of the node.
-    :param namespace: that it is in.
-    """
+    """Return the name of a node with its namespace."""
     return f'{namespace.rstrip("/")}/{name}'
 
 
 def list_nodes(options: argparse.Namespace) -> None:
-    """
-    Print the names of the nodes.
-
-    :param options: the parsed command line.
-    """
+    """Print the names of the nodes."""
     with probe() as node:
         look(node, lambda: node_names(node))
         names = sorted(full_name(*pair) for pair in node_names(node, options.all))
@@ -53,11 +40,7 @@ def list_nodes(options: argparse.Namespace) -> None:
 
 
 def info(options: argparse.Namespace) -> None:
-    """
-    Print what a node offers and uses.
-
-    :param options: the parsed command line.
-    """
+    """Print what a node offers and uses."""
     wanted = '/' + options.node_name.lstrip('/')
     with probe() as node:
 
@@ -74,13 +57,7 @@ def info(options: argparse.Namespace) -> None:
 
 
 def interfaces(node: Node, name: str, namespace: str) -> dict[str, list]:
-    """
-    Return the names and types of each kind of interface of a node.
-
-    :param node: that looks.
-    :param name: of the other node.
-    :param namespace: that it is in.
-    """
+    """Return the names and types of each kind of interface of a node."""
     return {
         'Subscribers': node.get_subscriber_names_and_types_by_node(name, namespace),
         'Publishers': node.get_publisher_names_and_types_by_node(name, namespace),

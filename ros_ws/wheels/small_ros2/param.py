@@ -16,11 +16,7 @@ from small_ros2.param_describe import descriptors, FIELDS, type_name
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the group.
-
-    :param parser: of the group.
-    """
+    """Declare the arguments of the group."""
     verbs = parser.add_subparsers(metavar='VERB', required=True)
     verb = verbs.add_parser('list', help='print the names of the parameters')
     verb.add_argument('node_name', nargs='?', help='of this node only')
@@ -47,11 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_parameters(options: argparse.Namespace) -> None:
-    """
-    Print the names of the parameters of a node, or of each node.
-
-    :param options: the parsed command line.
-    """
+    """Print the names of the parameters of a node, or of each node."""
     with probe() as node:
         request = ListParameters.Request(prefixes=options.param_prefixes)
         for owner in owners(node, options):
@@ -67,12 +59,7 @@ def list_parameters(options: argparse.Namespace) -> None:
 
 
 def owners(node: Node, options: argparse.Namespace) -> list[str]:
-    """
-    Return the full names of the nodes whose parameters are wanted.
-
-    :param node: that looks.
-    :param options: the parsed command line.
-    """
+    """Return the full names of the nodes whose parameters are wanted."""
     if options.node_name:
         return [absolute(options.node_name)]
     look(node, lambda: full_names(node))
@@ -82,11 +69,7 @@ def owners(node: Node, options: argparse.Namespace) -> list[str]:
 
 
 def get(options: argparse.Namespace) -> None:
-    """
-    Print the value of a parameter.
-
-    :param options: the parsed command line.
-    """
+    """Print the value of a parameter."""
     with probe() as node:
         request = GetParameters.Request(names=[options.parameter_name])
         owner = absolute(options.node_name)
@@ -97,12 +80,7 @@ def get(options: argparse.Namespace) -> None:
 
 
 def value_text(value: ParameterValue, hide_type: bool) -> str:
-    """
-    Return a value as text.
-
-    :param value: of a parameter.
-    :param hide_type: without the words about its type.
-    """
+    """Return a value as text."""
     content = getattr(value, FIELDS.get(value.type, ''), None)
     if hide_type:
         return str(content)
@@ -114,11 +92,7 @@ def value_text(value: ParameterValue, hide_type: bool) -> str:
 
 
 def set_parameter(options: argparse.Namespace) -> None:
-    """
-    Change a parameter.
-
-    :param options: the parsed command line.
-    """
+    """Change a parameter."""
     try:
         value = get_parameter_value(options.value)
     except (AssertionError, yaml.YAMLError) as error:

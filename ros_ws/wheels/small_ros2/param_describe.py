@@ -20,32 +20,20 @@ FIELDS = {
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the command.
-
-    :param parser: of the command.
-    """
+    """Declare the arguments of the command."""
     parser.add_argument('node_name', help='full name, with namespace')
     parser.add_argument('parameter_names', nargs='+', help='names of the parameters')
     parser.set_defaults(command=describe)
 
 
 def type_name(number: int) -> str:
-    """
-    Return what a type of parameter is called.
-
-    :param number: one of ParameterType.
-    """
+    """Return what a type of parameter, one of ParameterType, is called."""
     words = FIELDS.get(number, 'not set').removesuffix('_value').replace('_', ' ')
     return words.replace('bool', 'boolean')
 
 
 def describe(options: argparse.Namespace) -> None:
-    """
-    Print what is known of parameters.
-
-    :param options: the parsed command line.
-    """
+    """Print what is known of parameters."""
     with probe() as node:
         for one in descriptors(node, absolute(options.node_name), options.parameter_names):
             print(description(one))
@@ -55,9 +43,7 @@ def descriptors(node: Node, owner: str, names: list[str]) -> list[ParameterDescr
     """
     Return the descriptors of parameters of a node.
 
-    :param node: that asks.
     :param owner: full name of the node.
-    :param names: of the parameters.
     :raises CommandError: when the node does not have one of them.
     """
     request = DescribeParameters.Request(names=names)
@@ -68,11 +54,7 @@ def descriptors(node: Node, owner: str, names: list[str]) -> list[ParameterDescr
 
 
 def description(descriptor: ParameterDescriptor) -> str:
-    """
-    Return what is known of a parameter, as text.
-
-    :param descriptor: of the parameter.
-    """
+    """Return what is known of a parameter, as text."""
     lines = [f'Parameter name: {descriptor.name}', f'  Type: {type_name(descriptor.type)}']
     if descriptor.description:
         lines.append(f'  Description: {descriptor.description}')

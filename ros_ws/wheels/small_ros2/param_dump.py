@@ -13,21 +13,13 @@ from small_ros2.graph import probe
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the command.
-
-    :param parser: of the command.
-    """
+    """Declare the arguments of the command."""
     parser.add_argument('node_name', help='full name, with namespace')
     parser.set_defaults(command=dump)
 
 
 def dump(options: argparse.Namespace) -> None:
-    """
-    Print all parameters of a node as YAML.
-
-    :param options: the parsed command line.
-    """
+    """Print all parameters of a node as YAML."""
     owner = absolute(options.node_name)
     with probe() as node:
         listed = ask(node, ListParameters, owner, 'list_parameters', ListParameters.Request())

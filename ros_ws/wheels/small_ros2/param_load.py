@@ -14,11 +14,7 @@ from small_ros2.graph import probe
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the command.
-
-    :param parser: of the command.
-    """
+    """Declare the arguments of the command."""
     parser.add_argument('node_name', help='full name, with namespace')
     parser.add_argument('parameter_file', help='as `ros2 param dump` prints it')
     parser.add_argument('--no-use-wildcard', action='store_true', help='leave out those of /**')
@@ -30,8 +26,6 @@ def load(options: argparse.Namespace) -> None:
     Give a node the parameters of a file; like ros2cli's, exit with 0 though some were refused.
 
     Every dump has some that are: rclpy lets nobody set what is read-only to what it is already.
-
-    :param options: the parsed command line.
     """
     owner = absolute(options.node_name)
     parameters = parameters_of(options.parameter_file, owner, not options.no_use_wildcard)

@@ -9,11 +9,7 @@ from small_ros2.command import CommandError
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the group.
-
-    :param parser: of the group.
-    """
+    """Declare the arguments of the group."""
     parser.add_argument('package_name', help='name of the package')
     parser.add_argument('executable_name', help='name of its executable')
     parser.add_argument('argv', nargs=argparse.REMAINDER, help='arguments of the executable')
@@ -21,11 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
-    """
-    Become the executable: signals reach it and its exit status is the one that the shell sees.
-
-    :param options: the parsed command line.
-    """
+    """Become the executable: signals reach it, and the shell sees its exit status."""
     path = executable(package_prefix(options.package_name), options)
     sys.stdout.flush()
     try:
@@ -38,7 +30,6 @@ def package_prefix(package: str) -> Path:
     """
     Return the folder that a package is installed in.
 
-    :param package: its name.
     :raises CommandError: when no sourced workspace has it.
     """
     for prefix in filter(None, os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep)):
@@ -52,8 +43,6 @@ def executable(prefix: Path, options: argparse.Namespace) -> Path:
     """
     Return the path of an executable; of several in subfolders none is chosen.
 
-    :param prefix: folder that the package is installed in.
-    :param options: names the package and the executable.
     :raises CommandError: when there is not exactly one.
     """
     folder = prefix / 'lib' / options.package_name

@@ -13,11 +13,7 @@ PATIENCE = 10.0
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the group.
-
-    :param parser: of the group.
-    """
+    """Declare the arguments of the group."""
     verbs = parser.add_subparsers(metavar='VERB', required=True)
     verb = verbs.add_parser('list', help='print the names of the services')
     verb.add_argument('-t', '--show-types', action='store_true', help='with their types')
@@ -30,11 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_services(options: argparse.Namespace) -> None:
-    """
-    Print the names of the services.
-
-    :param options: the parsed command line.
-    """
+    """Print the names of the services."""
     with probe() as node:
         look(node, lambda: node_names(node))
         for name, types in visible(node.get_service_names_and_types()):
@@ -42,11 +34,7 @@ def list_services(options: argparse.Namespace) -> None:
 
 
 def call(options: argparse.Namespace) -> None:
-    """
-    Call a service and print request and response.
-
-    :param options: the parsed command line.
-    """
+    """Call a service and print request and response."""
     kind = service_class(options.service_type)
     request = filled(kind.Request, options.values)
     with probe() as node:

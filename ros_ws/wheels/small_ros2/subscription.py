@@ -16,7 +16,6 @@ def find(node: Node, topic: str, kind: str | None = None) -> tuple[type, QoSProf
     """
     Return the class of a topic's messages and a QoS that hears all of its publishers.
 
-    :param node: that looks.
     :param topic: its full name.
     :param kind: name of the type, where it need not be asked for.
     :raises CommandError: when the type is not known.
@@ -48,11 +47,7 @@ def class_of(node: Node, topic: str) -> type:
 
 
 def matching_qos(publishers: list[TopicEndpointInfo]) -> QoSProfile:
-    """
-    Return the strongest QoS that all publishers offer; the weakest when there is none.
-
-    :param publishers: of the topic.
-    """
+    """Return the strongest QoS that all publishers offer; the weakest when there is none."""
     offers = [publisher.qos_profile for publisher in publishers]
     reliable = {offer.reliability for offer in offers} == {ReliabilityPolicy.RELIABLE}
     latched = {offer.durability for offer in offers} == {DurabilityPolicy.TRANSIENT_LOCAL}

@@ -10,11 +10,7 @@ from small_ros2.graph import look, node_names, probe, visible
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the group.
-
-    :param parser: of the group.
-    """
+    """Declare the arguments of the group."""
     verbs = parser.add_subparsers(metavar='VERB', required=True)
     verb = verbs.add_parser('list', help='print the names of the topics')
     verb.add_argument('-t', '--show-types', action='store_true', help='with their types')
@@ -31,11 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_topics(options: argparse.Namespace) -> None:
-    """
-    Print the names of the topics.
-
-    :param options: the parsed command line.
-    """
+    """Print the names of the topics."""
     with probe() as node:
         look(node, lambda: node_names(node))
         for name, types in visible(node.get_topic_names_and_types()):
@@ -43,11 +35,7 @@ def list_topics(options: argparse.Namespace) -> None:
 
 
 def info(options: argparse.Namespace) -> None:
-    """
-    Print the type of a topic and its endpoints.
-
-    :param options: the parsed command line.
-    """
+    """Print the type of a topic and its endpoints."""
     with probe() as node:
         topic = node.resolve_topic_name(options.topic_name)
         if not look(node, lambda: types_of(node, topic)):
@@ -67,7 +55,6 @@ def types_of(node: Node, topic: str) -> list[str]:
     """
     Return the types that a topic is published or subscribed with.
 
-    :param node: that looks.
     :param topic: its full name.
     """
     return dict(node.get_topic_names_and_types()).get(topic, [])

@@ -16,11 +16,7 @@ LONGEST = 128
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the command.
-
-    :param parser: of the command.
-    """
+    """Declare the arguments of the command."""
     parser.add_argument('topic_name', help='for instance /odom')
     parser.add_argument('message_type', nargs='?', help='where nobody publishes it yet')
     parser.add_argument('--once', action='store_true', help='print the first message, then end')
@@ -30,22 +26,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def echo(options: argparse.Namespace) -> None:
-    """
-    Print messages as they arrive.
-
-    :param options: the parsed command line.
-    """
+    """Print messages as they arrive."""
     with probe() as node:
         topic = node.resolve_topic_name(options.topic_name)
         kind, profile = find(node, topic, options.message_type)
         done = Future()
 
         def on_message(message: Any) -> None:
-            """
-            Print a message, unless the one that was wanted has been printed.
-
-            :param message: of the topic.
-            """
+            """Print a message, unless the one that was wanted has been printed."""
             if not done.done():
                 print(text(message, options), end='---\n')
             if options.once:
@@ -59,8 +47,6 @@ def text(message: Any, options: argparse.Namespace) -> str:
     """
     Return a message, or the wanted field of it, as text.
 
-    :param message: of the topic.
-    :param options: the parsed command line.
     :raises CommandError: when it has no such field.
     """
     try:

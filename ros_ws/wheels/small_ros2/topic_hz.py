@@ -18,11 +18,7 @@ PERIOD = 1.0
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the command.
-
-    :param parser: of the command.
-    """
+    """Declare the arguments of the command."""
     parser.add_argument('topic_name', help='for instance /odom')
     parser.add_argument('-w', '--window', type=window, default=WINDOW, help='messages to average')
     parser.set_defaults(command=measure)
@@ -40,11 +36,7 @@ def window(text: str) -> int:
 
 
 def measure(options: argparse.Namespace) -> None:
-    """
-    Print the rate once a second, as long as messages arrive.
-
-    :param options: the parsed command line.
-    """
+    """Print the rate once a second, as long as messages arrive."""
     with probe() as node:
         topic = node.resolve_topic_name(options.topic_name)
         kind, profile = find(node, topic)

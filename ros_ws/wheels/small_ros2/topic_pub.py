@@ -21,11 +21,7 @@ LAST_WORD = Duration(seconds=1)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """
-    Declare the arguments of the command.
-
-    :param parser: of the command.
-    """
+    """Declare the arguments of the command."""
     parser.add_argument('topic_name', help='for instance /goal_pose')
     parser.add_argument('message_type', help='for instance geometry_msgs/msg/PoseStamped')
     parser.add_argument('values', nargs='?', default='{}', help='message as YAML')
@@ -46,11 +42,7 @@ def rate(text: str) -> float:
 
 
 def publish(options: argparse.Namespace) -> None:
-    """
-    Publish a message, again and again unless it is wanted once.
-
-    :param options: the parsed command line.
-    """
+    """Publish a message, again and again unless it is wanted once."""
     kind = message_class(options.message_type)
     filled(kind, options.values)  # what cannot be is refused before anything is published
     with probe() as node:
@@ -77,7 +69,6 @@ def wait_for_subscriber(publisher: Publisher) -> None:
     """
     Wait until somebody listens.
 
-    :param publisher: of the message.
     :raises CommandError: when nobody does.
     """
     if not publisher.get_subscription_count():

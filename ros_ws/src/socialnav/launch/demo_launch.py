@@ -45,11 +45,7 @@ def isolation() -> list[Action]:
 
 
 def nodes(context: LaunchContext) -> list[Action]:
-    """
-    Return the nodes.
-
-    :param context: holds the arguments.
-    """
+    """Return the nodes."""
     values = context.launch_configurations
     lockstep = values['lockstep'] == 'true'
     both = {'scenario': values['scenario'], 'lockstep': lockstep}

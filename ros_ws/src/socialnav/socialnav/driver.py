@@ -54,7 +54,6 @@ class Driver:
         """
         Load the model and listen.
 
-        :param node: whose topics they are.
         :param on_change: called when the reason for standing is another one.
         :raises ValueError: parameters or a model that cannot be used.
         """
@@ -88,13 +87,7 @@ class Driver:
         self.cancelling = self.node.create_service(Trigger, '~/cancel_goal', self.on_cancel)
 
     def create_input(self, name: str, kind: type, profile: QoSProfile) -> Subscription:
-        """
-        Make a subscription; what comes often is not read until it is wanted.
-
-        :param name: topic.
-        :param kind: type of its messages.
-        :param profile: quality of service.
-        """
+        """Make a subscription; what comes often is not read until it is wanted."""
         raw = name in AGEING and not self.lockstep
         callback = partial(self.on_input, name)
         if raw:
@@ -146,31 +139,17 @@ class Driver:
         self.transforms.close()
 
     def on_input(self, name: str, message: Any) -> None:
-        """
-        Store a message; in lockstep, decide when it completes a state.
-
-        :param name: its topic.
-        """
+        """Store a message; in lockstep, decide when it completes a state."""
         self.controller.store(name, message)
         if self.lockstep and self.controller.take_complete_state():
             self.on_state()
 
     def on_unread(self, name: str, read: Callable[[bytes], Any], data: bytes) -> None:
-        """
-        Store a message as it came.
-
-        :param name: its topic.
-        :param read: returns the message.
-        :param data: the message, serialized.
-        """
+        """Store a message as it came."""
         self.on_input(name, Unread(read, data))
 
     def on_cancel(self, _: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
-        """
-        Forget the goal.
-
-        :param response: says whether there was one.
-        """
+        """Forget the goal; answer whether there was one."""
         if self.lockstep:
             response.message = 'in lockstep every state has its goal'
             return response

@@ -47,20 +47,12 @@ class ObstacleNode(Node):
         """
         Subscribe to an input.
 
-        :param kind: its type.
-        :param topic: its name.
         :param take: called with each message; may raise a ConversionError.
-        :param profile: its quality of service.
         """
         self.create_subscription(kind, topic, partial(self.attempt, take), profile)
 
     def attempt(self, take: Callable[..., None], *message: Any) -> None:
-        """
-        Take a message; say why where it cannot be used.
-
-        :param take: what is called.
-        :param message: its arguments.
-        """
+        """Take a message; say why where it cannot be used."""
         try:
             take(*message)
         except ConversionError as error:

@@ -37,8 +37,6 @@ class PolicyOutputs:
         """
         Make the publishers.
 
-        :param node: whose topics they are.
-        :param controller: whose decisions they are.
         :param on_change: called when the reason for standing is another one.
         """
         self.node = node
@@ -72,11 +70,7 @@ class PolicyOutputs:
             self.node.destroy_lifecycle_publisher(publisher)
 
     def publish(self, decision: Decision) -> None:
-        """
-        Publish a command, and say why the robot stands.
-
-        :param decision: the command and its reason.
-        """
+        """Publish a command, and say why the robot stands."""
         if decision.publish:
             self.send(decision)
         self.report(decision.reason)
@@ -115,11 +109,7 @@ class PolicyOutputs:
         return sorted(names)
 
     def report(self, reason: str | None) -> None:
-        """
-        Say why the robot stands, when that changes.
-
-        :param reason: None while it drives.
-        """
+        """Say why the robot stands, when that changes; the reason is None while it drives."""
         if reason == ARRIVED != self.reason:
             self.node.get_logger().info(reason)
         elif reason not in (None, self.reason):
@@ -129,22 +119,14 @@ class PolicyOutputs:
             self.on_change()
 
     def report_plan(self, note: str) -> None:
-        """
-        Say why a plan is not followed, when that changes.
-
-        :param note: of the plan.
-        """
+        """Say why a plan is not followed, when that changes."""
         if note not in (NO_PLAN, FOLLOWED, self.plan_note):
             text = f'{note}; heading for the goal itself'
             self.node.get_logger().warning(text, throttle_duration_sec=1.0)
         self.plan_note = note
 
     def send(self, decision: Decision) -> None:
-        """
-        Publish a command as the type that is wanted.
-
-        :param decision: the command and, in lockstep, the state that it answers.
-        """
+        """Publish a command as the type that is wanted."""
         kind, content = Twist, twist(decision.command, self.controller.settings.kinematics)
         if self.stamped:
             now = self.node.get_clock().now().nanoseconds

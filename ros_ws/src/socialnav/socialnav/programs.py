@@ -44,7 +44,6 @@ def start(module: str, interrupted: int = 0) -> None:
     Loading takes seconds, during which Python would answer Ctrl-C with a traceback. Nothing has
     been started by then, so that nothing is left behind by a process that just ends.
 
-    :param module: its name.
     :param interrupted: exit code after a signal that comes before main().
     """
     take_signals(lambda *_: os._exit(interrupted))
@@ -52,11 +51,7 @@ def start(module: str, interrupted: int = 0) -> None:
 
 
 def take_signals(handler: Callable[[int, FrameType | None], object]) -> None:
-    """
-    Handle the signals that end a program; one that nohup has it ignore stays ignored.
-
-    :param handler: as signal.signal wants it.
-    """
+    """Handle the signals that end a program; one that nohup has it ignore stays ignored."""
     for number in STOPPING:
         if number != signal.SIGHUP or signal.getsignal(number) != signal.SIG_IGN:
             signal.signal(number, handler)

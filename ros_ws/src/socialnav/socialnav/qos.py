@@ -7,8 +7,6 @@ def profile(depth: int, *, reliable: bool = True, latched: bool = False) -> QoSP
     """
     Return a profile that keeps the last messages.
 
-    :param depth: number of messages kept.
-    :param reliable: whether lost messages are sent again.
     :param latched: whether a subscriber that comes late gets the last messages.
     """
     reliability = ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT

@@ -48,11 +48,7 @@ def run(build: Callable[[], Node]) -> int:
 
 
 def failure(error: Exception) -> int:
-    """
-    Print one line about a mistake of the user and return the exit code for it.
-
-    :param error: its text says what to do.
-    """
+    """Print one line about a mistake of the user and return the exit code for it."""
     print(f'{Path(sys.argv[0]).name}: {error}', file=sys.stderr)
     return 1
 
@@ -84,9 +80,6 @@ def serve(executor: Executor, node: Node) -> None:
 
     rclpy raises where another process asks a managed node for a transition that its state does
     not have; such a request must not end the node.
-
-    :param executor: it has the node.
-    :param node: whose log is used.
     """
     try:
         executor.spin_once(timeout_sec=WAKE_UP)

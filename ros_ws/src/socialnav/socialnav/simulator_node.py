@@ -122,18 +122,13 @@ class SimulatorNode(Node):
             self.publish_state()
 
     def on_stamped(self, message: TwistStamped) -> None:
-        """
-        Take a command with a time.
-
-        :param message: in lockstep, its stamp tells which state it answers.
-        """
+        """Take a command with a time, in lockstep that of the state that it answers."""
         self.on_command(message.twist, nanoseconds_of(message.header.stamp))
 
     def on_command(self, message: Twist, stamp: int = 0) -> None:
         """
-        Take a command; in lockstep, let the world advance.
+        Take a command in base_link; in lockstep, let the world advance.
 
-        :param message: in base_link.
         :param stamp: time of the state that it answers, ns.
         """
         try:
@@ -148,11 +143,7 @@ class SimulatorNode(Node):
             self.publish_advance()
 
     def on_goal(self, message: PoseStamped) -> None:
-        """
-        Send the robot to a goal that somebody else set, in either frame since they coincide.
-
-        :param message: the goal.
-        """
+        """Send the robot to a goal that somebody else set, in either frame since they coincide."""
         if nanoseconds_of(message.header.stamp) in self.own_goals:
             return
         frame = message.header.frame_id
@@ -166,11 +157,7 @@ class SimulatorNode(Node):
             self.publish(standing_messages(self.world, self.stamp(), self.frames))
 
     def on_goal_subscriber(self, event: QoSPublisherMatchedInfo) -> None:
-        """
-        Tell a newcomer the goal, which is volatile.
-
-        :param event: how many subscribers there are.
-        """
+        """Tell a newcomer the goal, which is volatile."""
         if event.current_count_change > 0:
             self.tellings = TELLINGS
             self.teller.reset()
@@ -188,12 +175,7 @@ class SimulatorNode(Node):
     def on_start_episode(
         self, request: StartEpisode.Request, response: StartEpisode.Response
     ) -> StartEpisode.Response:
-        """
-        Begin a case at once.
-
-        :param request: names it.
-        :param response: tells whether it exists.
-        """
+        """Begin a case at once; answer whether it exists."""
         try:
             name = request.scenario or self.world.scenario.name
             scenario = scenario_named(name, self.settings)
@@ -206,12 +188,7 @@ class SimulatorNode(Node):
         return response
 
     def on_pause(self, request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
-        """
-        Stop time, or let it go on.
-
-        :param request: true stops it.
-        :param response: what time does now.
-        """
+        """Stop time where the request is true; let it go on otherwise."""
         self.world.paused = request.data
         response.success, response.message = True, 'paused' if request.data else 'running'
         return response
@@ -251,11 +228,7 @@ class SimulatorNode(Node):
         return stamp
 
     def publish(self, messages: dict[str, Any]) -> None:
-        """
-        Publish messages; remember goals, which come back.
-
-        :param messages: by topic.
-        """
+        """Publish messages by topic; remember goals, which come back."""
         if 'goal_pose' in messages:
             self.goal = messages['goal_pose']
             self.own_goals.append(nanoseconds_of(self.goal.header.stamp))

@@ -54,22 +54,14 @@ class TrackerNode(Node):
         self.tracker.settings = tracker_settings(self.settings)
 
     def on_odometry(self, message: Odometry) -> None:
-        """
-        Keep a pose of the robot, in whose frame detections may be.
-
-        :param message: of odom.
-        """
+        """Keep a pose of the robot, in whose frame detections may be."""
         try:
             self.locator.store(message)
         except ConversionError as error:
             self.refuse(error)
 
     def on_detections(self, message: Any) -> None:
-        """
-        Answer detections; nobody detected is an answer too.
-
-        :param message: where somebody was seen.
-        """
+        """Answer detections; nobody detected is an answer too."""
         try:
             points = detection_points(message, self.kind, self.locator.frame)
         except ConversionError as error:
@@ -101,11 +93,7 @@ class TrackerNode(Node):
         return stamp
 
     def refuse(self, error: ConversionError | str) -> None:
-        """
-        Say why a message cannot be used.
-
-        :param error: the reason.
-        """
+        """Say why a message cannot be used."""
         self.get_logger().warning(f'ignored: {error}', throttle_duration_sec=1.0)
 
     def close(self) -> None:

@@ -63,10 +63,8 @@ class Controller:
         """
         Start without any input.
 
-        :param policy: what chooses the velocity.
         :param settings: may be replaced at any time.
         :param steady: a clock that always runs, s.
-        :param locate: says where the frames of inputs lie.
         """
         self.settings = settings
         self.goal_reached = False
@@ -87,7 +85,6 @@ class Controller:
         Take an input.
 
         :param name: odom, pedestrians, obstacles, goal_pose, plan or map.
-        :param message: of that topic.
         """
         self._inputs.store(name, message)
 

@@ -20,11 +20,7 @@ def diagnostics_message(
     """
     Return the health of a node.
 
-    :param nanoseconds: now.
-    :param name: of the node.
-    :param state: of its life cycle.
     :param reason: why the robot stands, or why the node is not configured; None for no reason.
-    :param facts: whatever else is worth knowing.
     :param rivals: other nodes that may command the robot; no fault while this one does not.
     """
     message = reason or ('driving' if state == ACTIVE else state)
@@ -43,12 +39,7 @@ def diagnostics_message(
 
 
 def level_of(state: str, reason: str | None) -> bytes:
-    """
-    Return how bad it is: standing without a goal is no fault, standing for another reason is.
-
-    :param state: of the life cycle.
-    :param reason: why the robot stands, or why the node is not configured.
-    """
+    """Return how bad it is: standing without a goal is no fault, for another reason it is."""
     if reason in (None, ARRIVED, NO_GOAL):
         return DiagnosticStatus.OK
     if state != ACTIVE or reason == STALLED:
@@ -62,10 +53,8 @@ def controller_facts(
     """
     Return what is known of a controller, by name.
 
-    :param model: its name.
     :param plan: whether one is followed.
     :param ages: of its inputs, s.
-    :param tally: what it has counted.
     """
     return {
         'model': model,
@@ -79,10 +68,6 @@ def controller_facts(
 
 
 def is_unusable(status: DiagnosticStatus) -> bool:
-    """
-    Return whether a node will not drive until somebody changes its parameters.
-
-    :param status: its health.
-    """
+    """Return whether a node will not drive until somebody changes its parameters."""
     unconfigured = KeyValue(key='state', value='unconfigured') in status.values
     return unconfigured and status.level == DiagnosticStatus.ERROR

@@ -94,7 +94,6 @@ class Inputs:
         Return why the inputs cannot be acted on, or None.
 
         :param now: ns, on the clock of the stamps.
-        :param settings: time-outs and what is required.
         """
         wanted = [*AGEING, 'goal_pose']
         wanted += ['obstacles'] * settings.require_obstacles + ['map'] * settings.use_map
@@ -115,7 +114,6 @@ class Inputs:
         Return the time until the first input is too old, s; negative once one is.
 
         :param now: ns, on the clock of the stamps.
-        :param settings: time-outs.
         """
         ages = self.ages(now)
         limits = self._timeouts(settings)
@@ -133,7 +131,6 @@ class Inputs:
         Return why the plan cannot be followed, or None where it is fresh or does not age.
 
         :param now: ns, on the clock of the stamps.
-        :param settings: time-out of plans.
         """
         if settings.plan_timeout == 0 or 'plan' not in self._newest:
             return None
@@ -144,7 +141,6 @@ def age_complaint(name: str, age: float, timeout: float) -> str | None:
     """
     Return what is wrong with the age of an input, or None.
 
-    :param name: the input.
     :param age: s, negative in the future.
     :param timeout: the largest age, s; a stamp as far in the future is as bad.
     """

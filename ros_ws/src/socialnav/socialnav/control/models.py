@@ -75,11 +75,7 @@ def installed(model: str) -> str:
 
 
 def example_state(body: RobotBody) -> CrowdState:
-    """
-    Return a robot with a pedestrian and an obstacle near by, batch of one.
-
-    :param body: of the robot.
-    """
+    """Return a robot with a pedestrian and an obstacle near by, batch of one."""
     return CrowdState(
         Robot(
             position=np.zeros((1, 2)),

@@ -33,12 +33,10 @@ class PlanFollower:
 
         `note` says then whether the plan is followed, or why it is ignored.
 
-        :param plan: the newest; None where there is none.
         :param position: of the robot, m, (2,).
         :param goal: where the run ends, m, (2,).
         :param ahead: way along the plan from the robot to the point, m.
         :param frame: of position and goal.
-        :param locate: says where other frames lie in it.
         :param complaint: what is wrong with the plan already.
         """
         if plan is not self._message:
@@ -62,13 +60,10 @@ def plan_points(
     plan: Path, goal: np.ndarray, ahead: float, frame: str, locate: Locate
 ) -> np.ndarray:
     """
-    Return the corners of a plan, m, (corners, 2).
+    Return the corners of a plan in a frame, m, (corners, 2).
 
-    :param plan: poses in the frame of its header.
     :param goal: where the plan must end, m, (2,).
     :param ahead: largest distance between its end and the goal, m.
-    :param frame: the frame that is wanted.
-    :param locate: says where other frames lie in it.
     :raises ConversionError: a plan that cannot be used.
     """
     if not plan.poses:

@@ -22,7 +22,6 @@ class Run:
         """
         Return whether a new run begins with this state; remember it.
 
-        :param goal: the goal of the state.
         :param now: time of the state, ns.
         :param longest_step: time between two states of a run in lockstep, s; None elsewhere.
         """
@@ -43,9 +42,5 @@ class Run:
 
 
 def what_is_new(goal: PoseStamped) -> tuple[Header, Point]:
-    """
-    Return what tells one goal from another; its orientation means nothing.
-
-    :param goal: of a robot.
-    """
+    """Return what tells one goal from another; its orientation means nothing."""
     return goal.header, goal.pose.position

@@ -21,11 +21,7 @@ def controller_settings(parameters: PolicyParameters) -> PolicyParameters:
 
 
 def lockstep_settings(parameters: PolicyParameters, scenario: Scenario) -> PolicyParameters:
-    """
-    Return the settings with which a decision is the same as in the simulator alone.
-
-    :param scenario: the world that is simulated.
-    """
+    """Return the settings with which a decision is the same as in the simulator alone."""
     speed = scenario.robot_preferred_speed
     return dataclasses.replace(
         parameters,

@@ -31,7 +31,6 @@ class Bag:
         """
         Add a message.
 
-        :param topic: where it was heard.
         :param message: of a type that socialnav_core has the definition of.
         """
         if topic not in self._channels:
@@ -50,11 +49,7 @@ class Bag:
 
 
 def stamp_of(message: Any) -> int | None:
-    """
-    Return the time of a message, ns, or None where it has none.
-
-    :param message: with a header, with markers that have one, or with neither.
-    """
+    """Return the time of a message or of its markers, ns, or None where it has none."""
     stamped = message.markers[0] if getattr(message, 'markers', None) else message
     header = getattr(stamped, 'header', None)
     return None if header is None else nanoseconds_of(header.stamp)

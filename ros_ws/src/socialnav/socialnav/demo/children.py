@@ -31,7 +31,6 @@ def running_nodes(
     Start nodes of this package; stop them at the end, whatever happens.
 
     :param parameters: of each node, by the name of its executable.
-    :param environment: of the processes.
     :param topics: other names of topics of a node, by the name of its executable.
     """
     nodes: Nodes = {}
@@ -84,7 +83,6 @@ def command_line(
     Return how a node of this package is started, warnings and errors only.
 
     :param name: of its executable.
-    :param parameters: its parameters.
     :param topics: other names of its topics.
     """
     executable = Path(get_package_prefix('socialnav')) / 'lib' / 'socialnav' / name
@@ -96,20 +94,12 @@ def command_line(
 
 
 def parameter_text(value: object) -> str:
-    """
-    Return a value as YAML, as the command line wants it.
-
-    :param value: a bool, number or text.
-    """
+    """Return a bool, number or text as YAML, as the command line wants it."""
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def stop(processes: list[subprocess.Popen]) -> None:
-    """
-    End processes: all are asked, then told, then killed.
-
-    :param processes: some may have ended.
-    """
+    """End processes, of which some may have ended: all are asked, then told, then killed."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
         alive = [process for process in processes if process.poll() is None]
         for process in alive:
@@ -118,12 +108,7 @@ def stop(processes: list[subprocess.Popen]) -> None:
 
 
 def wait(processes: list[subprocess.Popen], deadline: float) -> None:
-    """
-    Wait until processes have ended.
-
-    :param processes: to wait for.
-    :param deadline: on the monotonic clock; then it is over.
-    """
+    """Wait until processes have ended, or until a deadline on the monotonic clock, s."""
     for process in processes:
         try:
             process.wait(max(0.0, deadline - time.monotonic()))

@@ -27,7 +27,6 @@ class EpisodeRecorder:
         """
         Keep a message unless a good episode is there already; return whether time went on.
 
-        :param name: its topic.
         :param message: it has a header.
         """
         stamp = nanoseconds_of(message.header.stamp)
@@ -38,11 +37,7 @@ class EpisodeRecorder:
         return progress
 
     def store_result(self, result: EpisodeResult) -> None:
-        """
-        Keep how an episode ended.
-
-        :param result: of the episode.
-        """
+        """Keep how an episode ended."""
         self._results.append(result)
         if result.outcome == 'goal':
             end = nanoseconds_of(result.header.stamp)

@@ -22,11 +22,7 @@ SENSOR_TIMEOUT = 0.5
 
 
 def node_parameters(options: argparse.Namespace) -> Parameters:
-    """
-    Return the parameters of each node.
-
-    :param options: of the command line.
-    """
+    """Return the parameters of each node."""
     both = {'scenario': options.scenario, 'lockstep': not options.real_time}
     nodes: Parameters = {
         'simulator_node': both | {'seed': options.seed, 'episodes': options.episodes},
@@ -44,7 +40,6 @@ def pace_in_real_time(nodes: Parameters, options: argparse.Namespace) -> None:
     Let the clock of the simulator be everybody's, and tell the policy the walls.
 
     :param nodes: parameters of each node, changed in place.
-    :param options: of the command line.
     """
     nodes['simulator_node'] |= {
         'publish_clock': True,
@@ -60,7 +55,6 @@ def add_sensors(nodes: Parameters, options: argparse.Namespace) -> None:
     Let the robot measure, and two nodes tell the policy what that means.
 
     :param nodes: parameters of each node, changed in place.
-    :param options: of the command line.
     """
     nodes['simulator_node'] |= SENSORS
     nodes['policy_node'] |= {'require_obstacles': True, 'obstacles_timeout': SENSOR_TIMEOUT}
@@ -71,9 +65,5 @@ def add_sensors(nodes: Parameters, options: argparse.Namespace) -> None:
 
 
 def node_topics(options: argparse.Namespace) -> dict[str, dict[str, str]]:
-    """
-    Return other names of topics of each node.
-
-    :param options: of the command line.
-    """
+    """Return other names of topics of each node."""
     return {'simulator_node': TRUTH} if options.sensors else {}

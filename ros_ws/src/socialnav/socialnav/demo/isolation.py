@@ -14,11 +14,7 @@ PARTICIPANTS = 32
 
 
 def isolated_environment(environment: Mapping[str, str]) -> dict[str, str]:
-    """
-    Return an environment whose nodes meet only each other, on this machine; what is set stays.
-
-    :param environment: to begin with.
-    """
+    """Return an environment whose nodes meet only each other on this machine; keep what is set."""
     profiles = Path(get_package_share_directory('socialnav')) / 'config' / 'fast_discovery.xml'
     defaults = {
         'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST',
@@ -52,11 +48,7 @@ def occupied(domain: int) -> bool:
 
 
 def free(port: int) -> bool:
-    """
-    Return whether nobody listens at a port.
-
-    :param port: of UDP.
-    """
+    """Return whether nobody listens at a UDP port."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
             probe.bind(('', port))

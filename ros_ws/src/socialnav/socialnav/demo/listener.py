@@ -57,34 +57,20 @@ class DemoNode(Node):
         )
 
     def on_input(self, name: str, topic: str, message: Any) -> None:
-        """
-        Store a part of a state.
-
-        :param name: which part.
-        :param topic: where it was heard.
-        :param message: it has a header.
-        """
+        """Store a part of a state; it has a header."""
         self.latest_message = time.monotonic()
         self.bag.write(f'/{topic}', message)
         if self.recorder.store(name, message):
             self.latest_progress = self.latest_message
 
     def on_result(self, result: EpisodeResult) -> None:
-        """
-        Store how an episode ended.
-
-        :param result: of the episode.
-        """
+        """Store how an episode ended."""
         self.bag.write('/episode_result', result)
         self.recorder.store_result(result)
         self.results.append(result)
 
     def on_diagnostics(self, message: DiagnosticArray) -> None:
-        """
-        Store what the policy counts, and why it cannot drive.
-
-        :param message: health of a node.
-        """
+        """Store what the policy counts, and why it cannot drive."""
         for status in message.status:
             if status.name != 'policy_node':
                 continue

@@ -62,10 +62,5 @@ def record_of(result: EpisodeResult) -> dict[str, Any]:
 
 
 def write_json(results: list[EpisodeResult], path: Path) -> None:
-    """
-    Write all episodes as a list.
-
-    :param results: in the order in which they ended.
-    :param path: file to write.
-    """
+    """Write all episodes as a list, in the order in which they ended."""
     path.write_text(json.dumps([record_of(result) for result in results], indent=2) + '\n')

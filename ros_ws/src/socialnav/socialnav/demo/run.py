@@ -102,7 +102,6 @@ def run_demo(options: argparse.Namespace) -> None:
     """
     Run the episodes, print and write what came of them.
 
-    :param options: of the command line.
     :raises DemoError: a node died, nothing came for long, or the robot never moved.
     :raises OSError: the folder cannot be written.
     """
@@ -130,9 +129,6 @@ def listen(listener: DemoNode, nodes: Nodes, episodes: int) -> None:
     """
     Print each episode when it ends, until all have.
 
-    :param listener: hears the topics.
-    :param nodes: the processes that must live.
-    :param episodes: how many to wait for.
     :raises DemoError: a node died or cannot be used, or nothing new came for long.
     """
     executor = SingleThreadedExecutor()
@@ -161,8 +157,6 @@ def write_picture(listener: DemoNode, options: argparse.Namespace) -> None:
     """
     Write a good episode as an animation.
 
-    :param listener: has recorded it.
-    :param options: of the command line.
     :raises DemoError: when no episode was recorded.
     """
     # here and not above: these load matplotlib and scipy, which would keep the nodes waiting

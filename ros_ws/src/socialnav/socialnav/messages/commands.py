@@ -11,7 +11,6 @@ def command_array(twist: Twist, kinematics: str) -> np.ndarray:
     """
     Return (vx, vy) in base_link or speed and turn rate, (2,).
 
-    :param twist: a command of the robot.
     :param kinematics: holonomic or differential.
     """
     command = kinematics_of(kinematics).from_twist(twist.linear.x, twist.linear.y, twist.angular.z)

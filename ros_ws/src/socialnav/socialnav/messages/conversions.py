@@ -34,10 +34,9 @@ class RobotBody:
 
 def heading_of(name: str, rotation: Quaternion) -> float:
     """
-    Return the heading of a rotation, rad in [-pi, pi].
+    Return the heading of a unit quaternion, rad in [-pi, pi].
 
     :param name: the input, for the error.
-    :param rotation: a unit quaternion.
     """
     x, y, z, w = rotation.x, rotation.y, rotation.z, rotation.w
     length = math.sqrt(x * x + y * y + z * z + w * w)
@@ -57,16 +56,9 @@ def crowd_state(
     locate: Locate = not_asked,
 ) -> CrowdState:
     """
-    Return the world as the messages tell it, pedestrians first; batch of one.
+    Return the world as the messages tell it, in a frame, pedestrians first; batch of one.
 
-    :param odometry: pose and twist of the robot.
-    :param goal: where it should go.
-    :param pedestrians: whoever walks.
-    :param obstacles: whatever stands; None for none.
-    :param body: the robot itself.
-    :param frame: the frame of the state.
     :param time: since the start of the run, s.
-    :param locate: says where other frames lie in it.
     :raises ConversionError: a foreign frame, or a number that cannot be.
     """
     position, velocity, heading = robot_arrays(odometry, frame, locate)
@@ -101,8 +93,6 @@ def robot_arrays(
     Return position (2,) and velocity (2,) in the world, and heading.
 
     :param odometry: its twist is in the robot's own frame.
-    :param frame: the frame of the world.
-    :param locate: says where other frames lie in it.
     :raises ConversionError: a foreign frame, or a number that cannot be, the turn rate among them.
     """
     placement = placement_of('odom', odometry.header, frame, locate)
@@ -115,13 +105,7 @@ def robot_arrays(
 
 
 def goal_array(goal: PoseStamped, frame: str, locate: Locate = not_asked) -> np.ndarray:
-    """
-    Return the place to go to, (2,).
-
-    :param goal: a pose; only its position matters.
-    :param frame: the frame that is wanted.
-    :param locate: says where other frames lie in it.
-    """
+    """Return the place to go to in a frame, (2,); the orientation of the goal means nothing."""
     placement = placement_of('goal_pose', goal.header, frame, locate, newest=True)
     position = [goal.pose.position.x, goal.pose.position.y]
     return placement.placed(finite('goal_pose', 'position', position))
@@ -138,10 +122,7 @@ def agent_arrays(
     Return position (agents, 2), velocity (agents, 2), radius (agents,) and static (agents,).
 
     :param name: the input, for errors.
-    :param message: the agents; None for none.
-    :param frame: the frame that is wanted.
     :param static: whether they stand for ever; a velocity is not read then.
-    :param locate: says where other frames lie in it.
     """
     agents, placement = [], HERE
     if message is not None:
@@ -166,9 +147,6 @@ def placement_of(
     Return where the frame of a message lies in the one that is wanted.
 
     :param name: the input, for the error.
-    :param header: of the message.
-    :param frame: the frame that is wanted.
-    :param locate: says where other frames lie in it.
     :param newest: whether the newest placement counts, since what the message tells stands still
         and may have been told long ago; otherwise that at its stamp.
     :raises ConversionError: a frame that nobody knows.

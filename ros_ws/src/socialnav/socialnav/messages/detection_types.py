@@ -60,7 +60,6 @@ def message_class(kind: DetectionType) -> type:
     """
     Return the class of a type of messages.
 
-    :param kind: of the table.
     :raises ValueError: when its package cannot be imported.
     """
     try:

@@ -30,8 +30,6 @@ def grid_discs(
 
     :param grid: a map; its stamp means nothing, since it may have been loaded long ago.
     :param robot_position: in the frame that is wanted, m, (2,).
-    :param frame: the frame that is wanted.
-    :param locate: says where other frames lie in it.
     :raises ConversionError: a map that cannot be, or in a frame that nobody knows.
     """
     place = placement_of('map', grid.header, frame, locate, newest=True)
@@ -47,7 +45,6 @@ def grid_points(
     """
     Return the centres of the occupied cells around a place, in the grid's frame, m, (cells, 2).
 
-    :param grid: the grid.
     :param threshold: smallest level of an occupied cell, percent.
     :param centre: the place, in the frame of the grid, m, (2,).
     :param reach: cells nearer than this along both axes of the grid are among them, m.
@@ -84,7 +81,6 @@ def corner_of(grid: OccupancyGrid) -> Pose:
     """
     Return where the corner of the first cell lies, and how the rows are turned.
 
-    :param grid: the grid.
     :raises ConversionError: a grid that cannot be.
     """
     pose = grid.info.origin
@@ -96,7 +92,6 @@ def cells_of(grid: OccupancyGrid) -> np.ndarray:
     """
     Return the cells, percent, -1 where nothing is known, int8 (rows along y, columns along x).
 
-    :param grid: the grid.
     :raises ConversionError: a grid that cannot be.
     """
     info = grid.info

@@ -14,13 +14,7 @@ OCCUPIED = 100
 
 
 def map_message(state: CrowdState, nanoseconds: int, frame: str) -> OccupancyGrid:
-    """
-    Return obstacles, and walls where there are any, as cells of 0.1 m.
-
-    :param state: the world; its first one is shown.
-    :param nanoseconds: time of the state.
-    :param frame: frame of the map.
-    """
+    """Return obstacles, and any walls, of the first world as cells of 0.1 m."""
     half_width = extent(state)
     cells = 2 * int(np.ceil(half_width / RESOLUTION))
     grid = OccupancyGrid(header=header_message(nanoseconds, frame))
@@ -35,11 +29,7 @@ def map_message(state: CrowdState, nanoseconds: int, frame: str) -> OccupancyGri
 
 
 def extent(state: CrowdState) -> float:
-    """
-    Return the half-width of a map that shows the whole world, m.
-
-    :param state: the world; its first one is meant.
-    """
+    """Return the half-width of a map that shows the whole of the first world, m."""
     if np.isfinite(state.bounds[0]):
         return float(state.bounds[0]) + MARGIN
     points = [
@@ -51,12 +41,7 @@ def extent(state: CrowdState) -> float:
 
 
 def occupied(state: CrowdState, cells: int) -> np.ndarray:
-    """
-    Return which cells are not free, bool (cells, cells), rows along y.
-
-    :param state: the world; its first one is shown.
-    :param cells: number of cells along a side.
-    """
+    """Return which cells of the first world are not free, bool (cells, cells), rows along y."""
     centres = (np.arange(cells) + 0.5 - cells / 2) * RESOLUTION
     x, y = np.meshgrid(centres, centres)
     taken = np.maximum(np.abs(x), np.abs(y)) > state.bounds[0]

@@ -31,8 +31,6 @@ def scan_message(
     :param ranges: m, inf where it is free, (beams,).
     :param range_max: longest range, m.
     :param duration: time between two scans, s.
-    :param nanoseconds: time of the scan.
-    :param frame: frame of the laser.
     """
     increment = 2 * np.pi / len(ranges)
     return LaserScan(
@@ -50,7 +48,6 @@ def scan_points(message: LaserScan) -> np.ndarray:
     """
     Return where a scan hit something, in the frame of the laser, m, (returns, 2).
 
-    :param message: the scan.
     :raises ConversionError: a scan that measured nothing or cannot be.
     """
     try:
@@ -67,8 +64,6 @@ def detections_message(positions: np.ndarray, nanoseconds: int, frame: str) -> P
     Return where somebody was seen; the orientations mean nothing.
 
     :param positions: m, (detections, 2).
-    :param nanoseconds: time of the detections.
-    :param frame: frame of the positions.
     """
     upright = Quaternion(w=1.0)
     poses = [
@@ -79,11 +74,8 @@ def detections_message(positions: np.ndarray, nanoseconds: int, frame: str) -> P
 
 def detection_points(message: Any, kind: DetectionType, locate: Located) -> np.ndarray:
     """
-    Return where somebody was seen, m, (detections, 2).
+    Return where somebody was seen, m, (detections, 2); all else in the message is ignored.
 
-    :param message: positions; everything else in it is not looked at.
-    :param kind: its type.
-    :param locate: tells where the frame of the message was.
     :raises ConversionError: a position that cannot be, or a frame that is unknown.
     """
     places = [(place.x, place.y) for place in kind.places(message)]

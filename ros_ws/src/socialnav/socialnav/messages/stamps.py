@@ -8,11 +8,7 @@ from socialnav_core.messages.parts import header, time
 
 
 def time_message(nanoseconds: int) -> Time:
-    """
-    Return a time as a message.
-
-    :param nanoseconds: since the epoch of the clock.
-    """
+    """Return nanoseconds since the epoch of a clock as a message."""
     return filled(Time, time(nanoseconds))
 
 

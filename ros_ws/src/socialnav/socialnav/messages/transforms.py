@@ -30,10 +30,8 @@ class Transforms:
 
     def locate(self, frame: str, source: str, stamp: int) -> Pose:
         """
-        Return where a frame lies in another; this may take 0.1 s.
+        Return where `source` lies in `frame`; this may take 0.1 s.
 
-        :param frame: the frame that is wanted.
-        :param source: the frame to find.
         :param stamp: at this time, ns; 0 for the newest that is known.
         :raises LookupError: nobody knows, or tf2 is not there; the text says so.
         """
@@ -75,7 +73,6 @@ def placement_of_transform(transform: TransformStamped) -> Pose:
     """
     Return where the child frame of a transform lies in its parent, on the ground.
 
-    :param transform: its height does not matter, its tilt neither.
     :raises ConversionError: a transform that is none.
     """
     moved, rotation = transform.transform.translation, transform.transform.rotation

@@ -16,9 +16,5 @@ class Unread:
 
 
 def content(message: Any) -> Any:
-    """
-    Return a message, read if it was not; None where it cannot be read.
-
-    :param message: Unread, or a message already, or None.
-    """
+    """Return a message, read if it was not; None where it cannot be read."""
     return message.read(message.data) if isinstance(message, Unread) else message

@@ -57,8 +57,6 @@ def refuse_unknown(node: Node, known: list[str]) -> None:
 
     rclpy ignores it, so that a robot would drive with the default of what was mistyped; nothing
     that is public in rclpy tells what was given.
-
-    :param node: that has been started with parameters.
     """
     for name in node._parameter_overrides:
         if name not in known and not name.startswith(OF_EVERY_NODE):

@@ -50,7 +50,6 @@ def parameter(
     """
     Return a field that is a parameter.
 
-    :param range: smallest and largest value.
     :param choices: all values of a text that has only few.
     """
     metadata = {

@@ -17,7 +17,6 @@ class Locator:
         Start without a pose.
 
         :param planning_frame: frame of odom.
-        :param base_frame: frame of the robot.
         :param timeout: longest time over which a pose is interpolated or extrapolated, s.
         """
         self.planning_frame, self.base_frame = planning_frame, base_frame
@@ -28,7 +27,6 @@ class Locator:
         """
         Keep a pose.
 
-        :param odometry: of the robot.
         :raises ConversionError: a pose in another frame, or one that cannot be.
         """
         position, velocity, heading = robot_arrays(odometry, self.planning_frame)
@@ -38,9 +36,8 @@ class Locator:
 
     def base(self, stamp: int) -> Pose:
         """
-        Return where the robot was.
+        Return where the robot was at a time, ns.
 
-        :param stamp: when, ns.
         :raises ConversionError: where no odom is near enough.
         """
         pose = self._history.at(stamp)
@@ -54,7 +51,6 @@ class Locator:
         """
         Return where the frame of a message was.
 
-        :param header: of the message.
         :raises ConversionError: a frame that is neither that of odom nor that of the robot.
         """
         if header.frame_id == self.planning_frame:

@@ -34,7 +34,6 @@ class ObstacleFinder:
         """
         Keep a pose of the robot.
 
-        :param message: of odom.
         :raises ConversionError: a pose that cannot be used.
         """
         self.locator.store(message)
@@ -43,7 +42,6 @@ class ObstacleFinder:
         """
         Keep who walks.
 
-        :param message: of pedestrians.
         :raises ConversionError: pedestrians that cannot be used; none are known then.
         """
         self._people = None
@@ -52,9 +50,8 @@ class ObstacleFinder:
 
     def store_grid(self, message: OccupancyGrid) -> None:
         """
-        Keep a grid.
+        Keep a grid, which is a map or a local costmap.
 
-        :param message: a map or a local costmap.
         :raises ConversionError: a grid that cannot be used; none is known then.
         """
         self._grid = None
@@ -67,7 +64,6 @@ class ObstacleFinder:
         """
         Return what stands around the robot at the time of a scan.
 
-        :param message: the scan.
         :raises ConversionError: a scan that cannot be used, or no pose of the robot at its time.
         """
         stamp, settings = nanoseconds_of(message.header.stamp), self.settings

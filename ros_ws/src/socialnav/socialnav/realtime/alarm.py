@@ -28,11 +28,7 @@ class Alarm:
         self._timer = node.create_timer(1.0, self._ring, clock=clock, autostart=False)
 
     def set(self, delay: float) -> None:
-        """
-        Ring after some time, whatever was set before.
-
-        :param delay: s.
-        """
+        """Ring after some seconds, whatever was set before."""
         self._timer.timer_period_ns = 1e9 * max(SOONEST, delay)
         self._timer.reset()
 

@@ -69,7 +69,6 @@ def percentiles(name: str, values: deque[float]) -> dict[str, str]:
     """
     Return percentiles as facts; none where nothing was measured.
 
-    :param name: what was measured.
     :param values: measured, s.
     """
     if not values:

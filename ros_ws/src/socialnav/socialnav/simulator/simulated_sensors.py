@@ -16,11 +16,7 @@ class SimulatedSensors:
     """Publishes what is wanted of scan and detections."""
 
     def __init__(self, node: Node, parameters: SimulatorParameters) -> None:
-        """
-        Make the publishers.
-
-        :param node: whose topics they are.
-        """
+        """Make the publishers."""
         self.frames = frames_of(parameters)
         self.scan_time = parameters.publish_period
         self.scanner, self.detector = scanner_of(parameters), detector_of(parameters)

@@ -13,11 +13,7 @@ from socialnav.simulator.world_messages import Frames
 
 
 def transform_of_robot(odometry: Odometry) -> TransformStamped:
-    """
-    Return where the robot is.
-
-    :param odometry: of the robot.
-    """
+    """Return where the robot is."""
     place = odometry.pose.pose.position
     transform = TransformStamped(header=odometry.header, child_frame_id=odometry.child_frame_id)
     transform.transform.translation = Vector3(x=place.x, y=place.y, z=place.z)
@@ -26,12 +22,7 @@ def transform_of_robot(odometry: Odometry) -> TransformStamped:
 
 
 def transform_of_map(frames: Frames, nanoseconds: int) -> TransformStamped:
-    """
-    Return that the frame of everything else coincides with that of the map.
-
-    :param frames: names of the frames.
-    :param nanoseconds: time from which on it does.
-    """
+    """Return that the frame of everything else coincides with the map from a time on."""
     header = header_message(nanoseconds, frames.map)
     return TransformStamped(header=header, child_frame_id=frames.odom)
 
@@ -43,8 +34,6 @@ class TransformPublisher:
         """
         Tell of the map.
 
-        :param node: whose topics they are.
-        :param frames: names of the frames.
         :param kind: tf2_msgs.msg.TFMessage.
         :param nanoseconds: time of the first state.
         """
@@ -54,11 +43,7 @@ class TransformPublisher:
         self._standing.publish(kind(transforms=[transform_of_map(frames, nanoseconds)]))
 
     def publish(self, odometry: Odometry) -> None:
-        """
-        Tell of the robot.
-
-        :param odometry: of the robot.
-        """
+        """Tell of the robot."""
         self._moving.publish(self._kind(transforms=[transform_of_robot(odometry)]))
 
 
@@ -66,8 +51,6 @@ def transform_publisher(node: Node, frames: Frames, nanoseconds: int) -> Transfo
     """
     Return what tells tf2 of the frames; None where its messages are not installed.
 
-    :param node: whose topics they are.
-    :param frames: names of the frames.
     :param nanoseconds: time of the first state.
     """
     if find_spec('tf2_msgs') is None:

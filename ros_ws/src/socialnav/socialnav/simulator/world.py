@@ -27,8 +27,6 @@ class World:
         """
         Begin case 0.
 
-        :param scenario: what the world is like.
-        :param seed: of the cases.
         :param episodes: number of episodes until the world stands; 0 for no end.
         :param clock: simulated time at the start, ns.
         """
@@ -44,9 +42,6 @@ class World:
         """
         Begin a case, whatever goes on; count the episodes from here.
 
-        :param scenario: what the world is like.
-        :param seed: of the cases.
-        :param case_index: which of them.
         :raises ConfigError: agents that do not fit into the world; the present case goes on.
         """
         simulator = Simulator(scenario, batch_size=1, autoreset='disabled')
@@ -66,11 +61,7 @@ class World:
         return self.paused or self.done
 
     def set_goal(self, goal: np.ndarray) -> None:
-        """
-        Send the robot elsewhere.
-
-        :param goal: m, (2,).
-        """
+        """Send the robot to another goal, m, (2,)."""
         self._simulator.set_goal(0, goal)
         self.state = self._simulator.state
 

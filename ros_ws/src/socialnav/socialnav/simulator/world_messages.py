@@ -25,11 +25,7 @@ class Frames:
 
 
 def moving_messages(world: World, nanoseconds: int, frames: Frames) -> dict[str, Any]:
-    """
-    Return the messages that every state needs, by topic.
-
-    :param nanoseconds: time of its state.
-    """
+    """Return the messages that every state needs, by topic."""
     state, now = world.state, (nanoseconds, frames.odom)
     return {
         'pedestrians': filled(AgentStates, agent_states(state, False, *now)),
@@ -38,11 +34,7 @@ def moving_messages(world: World, nanoseconds: int, frames: Frames) -> dict[str,
 
 
 def standing_messages(world: World, nanoseconds: int, frames: Frames) -> dict[str, Any]:
-    """
-    Return the messages of what stays as it is during an episode, by topic.
-
-    :param nanoseconds: time of its state.
-    """
+    """Return the messages of what stays as it is during an episode, by topic."""
     state, now = world.state, (nanoseconds, frames.odom)
     return {
         'goal_pose': filled(PoseStamped, goal(state, *now)),
