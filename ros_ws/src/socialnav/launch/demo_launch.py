@@ -21,7 +21,12 @@ ARGUMENTS = (
     ('scenario', 'hard', 'world to simulate; `socialnav scenarios` lists them', None),
     ('bounds', '7.5', 'half-width of the square that is not to be left, m; of the scenario', None),
     ('seed', '0', 'seed of the cases', None),
-    ('model', DEFAULT_MODEL, 'name or folder of a model, `orca` or `straight_line`', None),
+    (
+        'model',
+        DEFAULT_MODEL,
+        'name or folder of a model, `search`, `orca` or `straight_line`',
+        None,
+    ),
     ('lockstep', 'false', 'as fast as the policy decides, not in real time', ['true', 'false']),
     ('rviz', 'auto', 'show the world; auto: where there is a display', ['auto', 'true', 'false']),
 )

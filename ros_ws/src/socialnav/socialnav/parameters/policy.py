@@ -21,7 +21,7 @@ class PolicyParameters:
         True, 'configure and activate at start, without a lifecycle manager'
     )
     model: str = parameter(
-        DEFAULT_MODEL, 'name in the share folder, path, `orca` or `straight_line`',
+        DEFAULT_MODEL, 'name in the share folder, path, `search`, `orca` or `straight_line`',
         live='inactive',
     )  # fmt: skip
     screening: str = parameter(

@@ -55,6 +55,7 @@ def test_an_untrained_network_ends_alike_too(graph, untrained):
     [
         ('orca', 'hard', CASES),
         ('orca', 'crowd20', CASES),
+        ('search', 'hard', FEW),
         pytest.param(TRAINED, 'hard', CASES, id='default_model-hard'),
         pytest.param('orca', 'hard', MANY, marks=pytest.mark.slow),
         pytest.param(TRAINED, 'hard', MANY, marks=pytest.mark.slow, id='many'),

@@ -82,8 +82,9 @@ def test_bad_inputs_stop_the_robot_and_good_ones_let_it_go_on(graph):
         graph.wait(publish, f'reaction to {frame}')
 
 
-def test_the_default_model_drives_among_any_number_of_agents_too(graph):
-    drives_among_any_number(Drive(graph).start(model=DEFAULT_MODEL))
+@pytest.mark.parametrize('model', [DEFAULT_MODEL, 'search'])
+def test_a_policy_that_looks_ahead_drives_among_any_number_of_agents_too(graph, model):
+    drives_among_any_number(Drive(graph).start(model=model))
 
 
 def test_a_stamped_command_can_be_had_instead(graph):
