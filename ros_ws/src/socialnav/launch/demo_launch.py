@@ -24,7 +24,7 @@ ARGUMENTS = (
     (
         'model',
         DEFAULT_MODEL,
-        'name or folder of a model, `search`, `orca` or `straight_line`',
+        'model: name, folder, `search`, `orca` or `straight_line`',
         None,
     ),
     ('lockstep', 'false', 'as fast as the policy decides, not in real time', ['true', 'false']),

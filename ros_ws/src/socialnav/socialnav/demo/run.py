@@ -71,7 +71,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument('--seed', type=int, default=0, help='seed of the cases (default: 0)')
     parser.add_argument(
         '--model', default=DEFAULT_MODEL,
-        help=f'name or folder of a model, search, orca or straight_line (default: {DEFAULT_MODEL})',
+        help=f'model: name, folder, search, orca or straight_line (default: {DEFAULT_MODEL})',
     )  # fmt: skip
     parser.add_argument(
         '--out', type=Path, default=Path('out/demo'), help='folder to write (default: out/demo)'
