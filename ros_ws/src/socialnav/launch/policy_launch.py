@@ -26,7 +26,7 @@ def generate_launch_description() -> LaunchDescription:
     share = get_package_share_directory('socialnav')
     parameters = os.path.join(share, 'config', 'policy.yaml')
     arguments = {
-        'model': ('gat4sn', 'name in the share folder, path, `search`, `orca` or `straight_line`'),
+        'model': ('search', 'name in the share folder, path, `search`, `orca` or `straight_line`'),
         'params_file': (parameters, 'other parameters; copy the default one and change it'),
         'use_sim_time': ('false', 'take the time from /clock'),
         **{name: (name, f'topic: {text}') for name, text in TOPICS.items()},

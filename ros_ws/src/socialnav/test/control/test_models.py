@@ -10,9 +10,9 @@ import torch
 
 from socialnav.control.models import example_state, installed, ready_policy
 from socialnav.control.settings import controller_settings
-from socialnav.parameters import DEFAULT_MODEL
 from socialnav.parameters.policy import PolicyParameters
 
+NETWORK = 'gat4sn'
 SHARE = Path(get_package_share_directory('socialnav')) / 'models'
 
 
@@ -29,24 +29,24 @@ def load(model):
 def test_a_name_is_that_of_a_model_of_the_package_wherever_the_node_was_started(
     tmp_path, monkeypatch
 ):
-    (tmp_path / DEFAULT_MODEL).mkdir()
+    (tmp_path / NETWORK).mkdir()
     monkeypatch.chdir(tmp_path)
-    assert Path(installed(DEFAULT_MODEL)) == SHARE / DEFAULT_MODEL
+    assert Path(installed(NETWORK)) == SHARE / NETWORK
 
 
 def test_a_name_that_nothing_has_is_answered_with_those_that_there_are():
-    with pytest.raises(ValueError, match=f'orca, straight_line, .*{DEFAULT_MODEL}'):
+    with pytest.raises(ValueError, match=f'orca, straight_line, search, .*{NETWORK}'):
         load('nobody')
 
 
-@pytest.mark.parametrize('name', ['', '.', '..', '../models', f'../models/{DEFAULT_MODEL}', '/'])
+@pytest.mark.parametrize('name', ['', '.', '..', '../models', f'../models/{NETWORK}', '/'])
 def test_nothing_but_a_name_is_looked_up_in_the_share_folder(name):
     assert installed(name) == name
 
 
 def test_the_folder_of_a_checkpoint_is_a_model_wherever_it_is(tmp_path):
     folder = tmp_path / 'anywhere'
-    shutil.copytree(SHARE / DEFAULT_MODEL, folder)
+    shutil.copytree(SHARE / NETWORK, folder)
     assert load(folder).description.kinematics == 'holonomic'
 
 
@@ -54,7 +54,7 @@ def test_the_folder_of_a_checkpoint_is_a_model_wherever_it_is(tmp_path):
     'name',
     [
         '', '.', '..', '/', '/etc/passwd', '../../../../../../etc', 'a\0b', 'file:///etc', '$HOME',
-        'x' * 300, f'{SHARE}/{DEFAULT_MODEL}/config.yaml', f'{DEFAULT_MODEL}/weights.safetensors',
+        'x' * 300, f'{SHARE}/{NETWORK}/config.yaml', f'{NETWORK}/weights.safetensors',
     ],
 )  # fmt: skip
 def test_whatever_is_no_checkpoint_is_one_line_about_what_could_be_given(name):
@@ -63,17 +63,15 @@ def test_whatever_is_no_checkpoint_is_one_line_about_what_could_be_given(name):
     assert '\n' not in str(error.value)
 
 
-@pytest.mark.parametrize(
-    'name', ['/etc/passwd', '../hard', f'{SHARE}/{DEFAULT_MODEL}/config.yaml']
-)
+@pytest.mark.parametrize('name', ['/etc/passwd', '../hard', f'{SHARE}/{NETWORK}/config.yaml'])
 def test_a_scenario_is_a_name_and_never_a_file(name):
     with pytest.raises(ValueError, match='unknown scenario'):
         controller_settings(PolicyParameters(lockstep=True, scenario=name))
 
 
 def test_the_horizon_of_screening_is_as_saved_unless_another_is_asked_for():
-    saved = policy_of().config.screening
-    longer = policy_of(screening_horizon=2.5).config.screening
+    saved = policy_of(model=NETWORK).config.screening
+    longer = policy_of(model=NETWORK, screening_horizon=2.5).config.screening
     assert longer.horizon == 2.5 != saved.horizon
     assert (longer.margin, longer.enabled) == (saved.margin, saved.enabled)
 
@@ -90,12 +88,12 @@ def test_a_policy_without_a_network_is_not_asked_for_what_networks_have(paramete
 @pytest.mark.skipif(torch.cuda.is_available(), reason='there is a CUDA GPU')
 def test_without_a_gpu_there_is_one_line_and_no_slower_device_instead():
     with pytest.raises(ValueError, match='use cpu'):
-        policy_of(device='cuda')
+        policy_of(model=NETWORK, device='cuda')
 
 
 @pytest.mark.skipif(not torch.cuda.is_available(), reason='needs a CUDA GPU')
 def test_a_gpu_decides_as_the_processor_does():
-    policy = policy_of(device='cuda')
+    policy = policy_of(model=NETWORK, device='cuda')
     assert {parameter.device.type for parameter in policy.network.parameters()} == {'cuda'}
     state = example_state(PolicyParameters().body)
-    np.testing.assert_array_equal(policy.act(state), policy_of().act(state))
+    np.testing.assert_array_equal(policy.act(state), policy_of(model=NETWORK).act(state))

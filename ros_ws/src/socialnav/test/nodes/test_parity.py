@@ -8,7 +8,6 @@ import torch
 
 from socialnav import qos
 from socialnav.messages.stamps import nanoseconds_of
-from socialnav.parameters import DEFAULT_MODEL
 from socialnav_core.config import Config, PolicyConfig
 from socialnav_core.messages.results import COARSE_OUTCOMES
 from socialnav_core.policies import build_network, load_policy
@@ -20,7 +19,7 @@ FEW = 5
 CASES = 20
 MANY = 100
 SEED = 11
-TRAINED = f'{get_package_share_directory("socialnav")}/models/{DEFAULT_MODEL}'
+TRAINED = f'{get_package_share_directory("socialnav")}/models/gat4sn'
 
 
 def offline(policy, scenario, case):
@@ -56,7 +55,7 @@ def test_an_untrained_network_ends_alike_too(graph, untrained):
         ('orca', 'hard', CASES),
         ('orca', 'crowd20', CASES),
         ('search', 'hard', FEW),
-        pytest.param(TRAINED, 'hard', CASES, id='default_model-hard'),
+        pytest.param(TRAINED, 'hard', CASES, id='gat4sn-hard'),
         pytest.param('orca', 'hard', MANY, marks=pytest.mark.slow),
         pytest.param(TRAINED, 'hard', MANY, marks=pytest.mark.slow, id='many'),
     ],

@@ -82,7 +82,7 @@ def test_bad_inputs_stop_the_robot_and_good_ones_let_it_go_on(graph):
         graph.wait(publish, f'reaction to {frame}')
 
 
-@pytest.mark.parametrize('model', [DEFAULT_MODEL, 'search'])
+@pytest.mark.parametrize('model', ['gat4sn', DEFAULT_MODEL])
 def test_a_policy_that_looks_ahead_drives_among_any_number_of_agents_too(graph, model):
     drives_among_any_number(Drive(graph).start(model=model))
 
