@@ -59,7 +59,6 @@ def uniform(stream, low, high):  # type: ignore[no-untyped-def]
     Return a number of U(low, high), float64 of 53 random bits, and advance the stream.
 
     :param stream: uint64 (6,), its last counter word is advanced.
-    :param low: smallest value.
     :param high: upper end, excluded.
     """
     word0, word1, _, _ = philox(stream)

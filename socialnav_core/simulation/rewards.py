@@ -91,10 +91,8 @@ def step_outcomes(
     rim is behind it at the end. Clearance does not include the walls; discomfort does where the
     settings say so.
 
-    :param state: the world before the step.
     :param displacement: of the robot, m, (batch, candidates, 2).
     :param agent_velocity: of the agents during the step, m/s, (batch, agents, 2).
-    :param duration: s.
     """
     shape, robot, agents = displacement.shape[:2], state.robot, state.agents
     judgement = Judgement(
