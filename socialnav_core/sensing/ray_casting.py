@@ -7,11 +7,7 @@ WALL, NOTHING = -1, -2
 
 
 def beam_angles(beams: int) -> np.ndarray:
-    """
-    Return the directions of the beams of a scanner that sees all around, rad, (beams,).
-
-    :param beams: number of beams.
-    """
+    """Return the directions of the beams of a scanner that sees all around, rad, (beams,)."""
     return 2 * np.pi * np.arange(beams) / beams - np.pi
 
 
