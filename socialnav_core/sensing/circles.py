@@ -48,6 +48,7 @@ def fitted_circle(points: np.ndarray) -> tuple[float, float, float, float]:
     """
     middle = points.mean(axis=0)
     offset = points - middle
+    # linear in x, y and rest = r^2 - x^2 - y^2: u^2 + v^2 = 2 u x + 2 v y + rest
     system = np.column_stack([2 * offset, np.ones(len(offset))])
     x, y, rest = np.linalg.lstsq(system, (offset**2).sum(axis=1), rcond=None)[0]
     radius = np.sqrt(max(rest + x * x + y * y, 0.0))

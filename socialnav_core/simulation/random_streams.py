@@ -63,5 +63,6 @@ def uniform(stream, low, high):  # type: ignore[no-untyped-def]
     """
     word0, word1, _, _ = philox(stream)
     stream[5] = stream[5] + np.uint64(1)
+    # 32 bits of one word before 21 of the next, as many as a float64 holds
     bits = (word0 << np.uint64(21)) | (word1 >> np.uint64(11))
     return low + (high - low) * (np.float64(bits) / 9007199254740992.0)

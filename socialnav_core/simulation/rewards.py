@@ -111,6 +111,7 @@ def swept_distance(x, y, move_x, move_y):  # type: ignore[no-untyped-def]
     """Return the least distance from the origin to the segment from (x, y) on by a move, m."""
     approach = -(x * move_x + y * move_y)
     if approach > 0.0:
+        # nearest at the foot of the perpendicular, or at the end of the move
         share = min(1.0, approach / (move_x * move_x + move_y * move_y))
         x += share * move_x
         y += share * move_y
