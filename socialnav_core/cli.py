@@ -86,13 +86,7 @@ def expected_failures() -> tuple[type[Exception], ...]:
 
 
 def complain(given: argparse.Namespace, error: object, code: int) -> int:
-    """
-    Write one line on stderr and return the exit code.
-
-    :param given: parsed arguments.
-    :param error: what is wrong and what to do.
-    :param code: exit code.
-    """
+    """Write one line on stderr and return the exit code."""
     text = ' '.join(str(error).split())
     print(f'socialnav {given.command}: {text}', file=sys.stderr)
     return code

@@ -17,10 +17,7 @@ def progress_bar(
     """
     Return what shows progress: a context with `update` and `set_postfix_str`, as tqdm has them.
 
-    :param total: of units, such as episodes.
-    :param description: what is under way.
     :param initial: units that were done before.
-    :param visible: whether anything is to be said at all.
     """
     terminal = sys.stderr.isatty()
     if visible and not terminal:

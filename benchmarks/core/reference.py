@@ -209,7 +209,6 @@ def reference_steps_per_second(pedestrians: int, obstacles: int, seconds: float 
 
     :param pedestrians: Number of pedestrians, all of which decide by ORCA.
     :param obstacles: Number of obstacles of radius 0.3 m.
-    :param seconds: Time to measure for.
     """
     world, steps, ended = ReferenceWorld(pedestrians, obstacles), 0, True
     start = time.perf_counter()
@@ -297,7 +296,6 @@ def reference_decision_seconds(
 
     :param network: Value network, forward(robot (1, 6), others (1, agents, 7), mask (1, agents)).
     :param actions: Velocities to choose from, m/s, as of action_set.
-    :param agents: Number of pedestrians around the robot.
     :param repeats: Number of decisions, in one episode after the other, after a first unmeasured.
     :param oracle: Whether the pedestrians' next step is known; else they keep their velocity.
     """

@@ -131,7 +131,6 @@ def run(given: argparse.Namespace, settings: Settings | None) -> tuple[np.ndarra
     """
     Run all cases side by side; return the outcome and the duration of each.
 
-    :param given: model, scenario, episodes, seed, split.
     :param settings: of the sensors; None for a robot that is told everything.
     """
     count, policy = given.episodes, load_policy(given.model)

@@ -55,7 +55,6 @@ def policy_node(rig: Rig, options: argparse.Namespace, **parameters: object) -> 
     Run a policy node; yield the number of its process.
 
     :param rig: forgets what an earlier node has commanded.
-    :param options: of the command line.
     :param parameters: besides the model.
     """
     rig.spin(TELLING)
@@ -66,13 +65,7 @@ def policy_node(rig: Rig, options: argparse.Namespace, **parameters: object) -> 
 
 
 def driving(rig: Rig, options: argparse.Namespace, agents: int) -> list[str]:
-    """
-    Return the row of a node that drives.
-
-    :param rig: shows it a crowd.
-    :param options: of the command line.
-    :param agents: in the crowd.
-    """
+    """Return the row of a node that drives in a crowd."""
     rig.show(agents)
     rig.silent.clear()
     with policy_node(rig, options) as number:
@@ -89,12 +82,7 @@ def driving(rig: Rig, options: argparse.Namespace, agents: int) -> list[str]:
 
 
 def idling(rig: Rig, options: argparse.Namespace) -> list[list[str]]:
-    """
-    Return the rows of nodes that have nothing to drive for.
-
-    :param rig: says nothing, or all but a goal.
-    :param options: of the command line.
-    """
+    """Return the rows of nodes that have nothing to drive for."""
     rows = []
     for what, silent in (
         ('policy node without inputs', set(KINDS)),

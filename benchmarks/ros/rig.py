@@ -41,11 +41,7 @@ class Rig:
     """Publishes worlds with pedestrians in turn; a topic can be silenced."""
 
     def __init__(self, pedestrians: int) -> None:
-        """
-        Begin to publish when it is spun.
-
-        :param pedestrians: in each world.
-        """
+        """Begin to publish when it is spun."""
         os.environ.update(isolated_environment(os.environ))
         rclpy.init()
         self.node = rclpy.create_node('rig')
@@ -68,11 +64,7 @@ class Rig:
         self.node.create_timer(1 / RATE, self.publish)
 
     def show(self, pedestrians: int) -> None:
-        """
-        Publish other worlds from now on.
-
-        :param pedestrians: in each world.
-        """
+        """Publish other worlds from now on."""
         self.worlds = [world(pedestrians, case) for case in range(WORLDS)]
 
     def publish(self) -> None:
@@ -99,11 +91,7 @@ class Rig:
         self.facts = {one.key: one.value for one in message.status[0].values}
 
     def spin(self, duration: float) -> None:
-        """
-        Publish and listen for some time.
-
-        :param duration: s.
-        """
+        """Publish and listen for some time, s."""
         end = time.monotonic() + duration
         while (left := end - time.monotonic()) > 0:
             self.executor.spin_once(timeout_sec=left)
@@ -112,8 +100,7 @@ class Rig:
         """
         Publish and listen until a condition holds; note how long this process stood still.
 
-        :param condition: to wait for.
-        :param what: it is, in words.
+        :param what: the condition, in words.
         :raises RuntimeError: when that takes too long.
         """
         now = time.monotonic()
@@ -137,45 +124,26 @@ class Rig:
 
 
 def world(pedestrians: int, case: int) -> CrowdState:
-    """
-    Return the start of an episode, batch of one.
-
-    :param pedestrians: in the world; there are no obstacles.
-    :param case: of the scenario's test cases.
-    """
+    """Return the start of an episode without obstacles, batch of one."""
     scenario = Scenario('rig', pedestrians=pedestrians, obstacles=0)
     return Simulator(scenario, batch_size=1).reset(seed=0, cases=[case])
 
 
 def usage(rig: Rig, number: int, duration: float) -> float:
-    """
-    Return the share of one core that a process uses while the rig is spun.
-
-    :param rig: is spun.
-    :param number: of the process.
-    :param duration: s.
-    """
+    """Return the share of one core that a process uses while the rig is spun for some time, s."""
     began, used = time.monotonic(), processor_time(number)
     rig.spin(duration)
     return (processor_time(number) - used) / (time.monotonic() - began)
 
 
 def processor_time(number: int) -> float:
-    """
-    Return the processor time that a process has used, s.
-
-    :param number: of the process.
-    """
+    """Return the processor time that a process has used, s."""
     fields = Path(f'/proc/{number}/stat').read_text().rpartition(')')[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf('SC_CLK_TCK')
 
 
 def memory(number: int) -> float:
-    """
-    Return the memory that a process occupies, MB.
-
-    :param number: of the process.
-    """
+    """Return the memory that a process occupies, MB."""
     pages = int(Path(f'/proc/{number}/statm').read_text().split()[1])
     return pages * os.sysconf('SC_PAGE_SIZE') * 1e-6
 

@@ -47,13 +47,7 @@ def main() -> int:
 
 
 def soak(rig: Rig, number: int, duration: float) -> tuple[float, float]:
-    """
-    Return by how much memory has grown, MB, and the share of periods that were missed.
-
-    :param rig: shows a crowd.
-    :param number: of the policy node's process.
-    :param duration: s.
-    """
+    """Return by how much a policy node's memory grew, MB, and the share of missed periods."""
     warm_up = min(WARM_UP_SHARE * duration, LONGEST_WARM_UP)
     rig.spin(warm_up)
     first, began, count = memory(number), time.monotonic(), len(rig.commands)

@@ -65,11 +65,7 @@ def main() -> int:
 
 
 def beyond(times: list[float]) -> int:
-    """
-    Return how many times are beyond the limit.
-
-    :param times: s.
-    """
+    """Return how many times, s, are beyond the limit."""
     return sum(one > LIMIT for one in times)
 
 
@@ -77,7 +73,6 @@ def repeat(repetitions: int, measure: Callable[[], float | None]) -> tuple[list[
     """
     Return the times of some stops, s, and how many could not be measured.
 
-    :param repetitions: how many to measure.
     :param measure: stops once; returns None where the machine stood still.
     :raises RuntimeError: when it does so most of the time.
     """
@@ -91,12 +86,7 @@ def repeat(repetitions: int, measure: Callable[[], float | None]) -> tuple[list[
 
 
 def silence(rig: Rig, name: str) -> float | None:
-    """
-    Return how long the robot drove on after the last message of a topic, s.
-
-    :param rig: publishes all others.
-    :param name: of the topic.
-    """
+    """Return how long the robot drove on after the last message of a topic, s."""
     rig.silent.clear()
     rig.wait(rig.drives, 'motion')
     rig.spin(random.uniform(0.1, 0.1 + 2 * PERIOD))  # at any moment of a period
@@ -110,7 +100,6 @@ def kill_simulator(rig: Rig, **parameters: object) -> float | None:
     """
     Return how long the robot drove on after its simulator was killed, s.
 
-    :param rig: only listens to commands.
     :param parameters: of the simulator, besides the scenario.
     """
     rig.silent.update(KINDS)
@@ -125,11 +114,7 @@ def kill_simulator(rig: Rig, **parameters: object) -> float | None:
 
 
 def kill(nodes: Nodes) -> None:
-    """
-    Kill nodes at once.
-
-    :param nodes: to kill.
-    """
+    """Kill nodes at once."""
     for node in nodes.values():
         node.send_signal(signal.SIGKILL)
 
@@ -138,7 +123,6 @@ def until_zero(rig: Rig, last: Callable[[], int]) -> float | None:
     """
     Return the time from a moment to the first of the last zero commands, s, if it is known.
 
-    :param rig: hears the commands.
     :param last: returns the moment, ns; the last message may still be under way now.
     """
     rig.commands.clear()
@@ -149,11 +133,7 @@ def until_zero(rig: Rig, last: Callable[[], int]) -> float | None:
 
 
 def standing(rig: Rig) -> list[float]:
-    """
-    Return when the zero commands came after which there was no other, s.
-
-    :param rig: hears the commands.
-    """
+    """Return when the zero commands came after which there was no other, s."""
     latest = takewhile(lambda command: not command[1], reversed(rig.commands))
     return [moment for moment, _ in latest][::-1]
 

@@ -42,11 +42,7 @@ def decision(
     Return how long a decision takes, its median and its 99th percentile.
 
     :param name: key of NETWORKS.
-    :param pedestrians: number of people around the robot.
-    :param speeds: of the action set.
-    :param headings: of the action set.
     :param lookahead: prediction of the pedestrians; the oracle's time is part of the decision.
-    :param reference: the plain reference, or None.
     """
     config = PolicyConfig(network=name, speeds=speeds, headings=headings, lookahead=lookahead)
     torch.manual_seed(0)
@@ -77,13 +73,7 @@ def decision(
 
 
 def decision_seconds(network: nn.Module, config: PolicyConfig, pedestrians: int) -> np.ndarray:
-    """
-    Return how long each of some decisions took, one episode after the other, s, (REPEATS,).
-
-    :param network: a value network.
-    :param config: its action set.
-    :param pedestrians: number of people around the robot.
-    """
+    """Return how long each of some decisions took, one episode after the other, s, (REPEATS,)."""
     simulator = Simulator(Scenario('benchmark', pedestrians=pedestrians, obstacles=0))
     policy, state = ValuePolicy(network, config), simulator.reset()
     attach_simulator(policy.predictor, simulator.next_agent_velocities)

@@ -27,12 +27,7 @@ class Measurement:
 
 
 def calls_per_second(function: Callable[[], object], seconds: float) -> float:
-    """
-    Return how often a function can be called per second, after one call to warm up.
-
-    :param function: without arguments.
-    :param seconds: how long to call it, s.
-    """
+    """Return how often a function can be called per second, after one call to warm up."""
     function()
     calls, started = 0, time.perf_counter()
     while (elapsed := time.perf_counter() - started) < seconds:
@@ -49,9 +44,7 @@ def in_turns(
 
     Return the median of ours, of the reference and of the ratios ours / reference.
 
-    :param ours: measures us.
     :param reference: measures the reference; None where there is none.
-    :param rounds: how often.
     """
     pairs = [(ours(), reference() if reference else np.nan) for _ in range(rounds)]
     first, second = np.array(pairs).T

@@ -33,11 +33,9 @@ def simulator_measurements(reference: Any) -> list[Measurement]:
 
 def in_batches(name: str, meaning: str, reference: Any) -> Measurement:
     """
-    Return steps of worlds per second, many of them side by side.
+    Return steps per second of worlds of a scenario, many of them side by side.
 
-    :param name: of the scenario.
-    :param meaning: what is in it.
-    :param reference: the plain reference, or None.
+    :param meaning: what is in the scenario, in words.
     """
     scenario = make_scenario(name)
 
@@ -56,11 +54,7 @@ def in_batches(name: str, meaning: str, reference: Any) -> Measurement:
 
 
 def alone(pedestrians: int) -> Measurement:
-    """
-    Return steps per second of one world, at the density of people of crowd20.
-
-    :param pedestrians: number of people.
-    """
+    """Return steps per second of one world, at the density of people of crowd20."""
     half = 5.0 * math.sqrt(pedestrians / 20)
     scenario = Scenario(
         f'{pedestrians} pedestrians',
@@ -76,12 +70,7 @@ def alone(pedestrians: int) -> Measurement:
 
 
 def steps_per_second(scenario: Scenario, worlds: int) -> float:
-    """
-    Return steps of the whole batch per second.
-
-    :param scenario: the world.
-    :param worlds: number of worlds.
-    """
+    """Return steps of the whole batch per second."""
     simulator, policy = Simulator(scenario, worlds), StraightLinePolicy()
     state = simulator.reset()
 

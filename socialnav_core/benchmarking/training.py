@@ -21,11 +21,7 @@ def training_measurements() -> list[Measurement]:
 
 
 def projected(config: Config) -> Measurement:
-    """
-    Return minutes of a run, projected from a part of its imitation and its iterations.
-
-    :param config: of the run.
-    """
+    """Return minutes of a run, projected from a part of its imitation and its iterations."""
     settings = config.training
     part = dataclasses.replace(settings.imitation, episodes=DEMONSTRATIONS)
     shorter = dataclasses.replace(settings, imitation=part)

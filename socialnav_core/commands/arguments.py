@@ -17,11 +17,7 @@ class Parser(argparse.ArgumentParser):
     """A parser that reports a mistake in one line."""
 
     def error(self, message: str) -> NoReturn:
-        """
-        Exit with code 2.
-
-        :param message: what is wrong.
-        """
+        """Exit with code 2."""
         self.exit(2, f'{self.prog}: {message}; see {self.prog} --help\n')
 
 
@@ -36,9 +32,6 @@ def add_command(
     Add a command and return its parser.
 
     :param commands: what `add_subparsers` returned.
-    :param name: of the command.
-    :param run: runs it.
-    :param summary: one line.
     :param examples: lines to type, without `socialnav` and the command's name.
     """
     lines = [f'  socialnav {name} {example}'.rstrip() for example in examples.splitlines()]
@@ -54,11 +47,7 @@ def add_command(
 
 
 def add_world_options(parser: argparse.ArgumentParser) -> None:
-    """
-    Add the options that say which cases are run, and how.
-
-    :param parser: of a command.
-    """
+    """Add the options that say which cases are run, and how."""
     parser.add_argument(
         '--scenario', required=True, metavar='NAME', help='world; see socialnav scenarios'
     )
@@ -91,7 +80,6 @@ def add_set_option(parser: argparse.ArgumentParser, example: str) -> None:
     """
     Add `--set`.
 
-    :param parser: of a command.
     :param example: an assignment, for the help.
     """
     parser.add_argument(
@@ -106,53 +94,33 @@ def add_set_option(parser: argparse.ArgumentParser, example: str) -> None:
 
 
 def add_threads_option(parser: argparse.ArgumentParser) -> None:
-    """
-    Add `--threads`.
-
-    :param parser: of a command.
-    """
+    """Add `--threads`."""
     parser.add_argument(
         '--threads', type=positive_number, default=1, metavar='N', help='processor threads (1)'
     )
 
 
 def add_overwrite_option(parser: argparse.ArgumentParser) -> None:
-    """
-    Add `--overwrite`.
-
-    :param parser: of a command.
-    """
+    """Add `--overwrite`."""
     parser.add_argument('--overwrite', action='store_true', help='replace what exists')
 
 
 def positive_number(text: str) -> int:
-    """
-    Return a whole number of at least one.
-
-    :param text: as typed.
-    """
+    """Return a whole number of at least one."""
     if not text.isdecimal() or int(text) < 1:
         raise argparse.ArgumentTypeError(f'{text!r} is no whole number of at least 1')
     return int(text)
 
 
 def whole_number(text: str) -> int:
-    """
-    Return a whole number of at least zero.
-
-    :param text: as typed.
-    """
+    """Return a whole number of at least zero."""
     if not text.isdecimal():
         raise argparse.ArgumentTypeError(f'{text!r} is no whole number of at least 0')
     return int(text)
 
 
 def distance(text: str) -> float:
-    """
-    Return a finite number of at least zero.
-
-    :param text: as typed.
-    """
+    """Return a finite number of at least zero."""
     try:
         number = float(text)
     except ValueError:

@@ -25,11 +25,7 @@ COLUMNS = ('measurement', 'ours', 'reference', 'ratio', 'details')
 
 
 def add_parser(commands: Any) -> None:
-    """
-    Add the command.
-
-    :param commands: what `add_subparsers` returned.
-    """
+    """Add the command."""
     summary = 'Measure speed, in turns with a plain reference on the same machine.'
     parser = add_command(commands, 'benchmark', run, summary, EXAMPLES)
     parser.add_argument(
@@ -41,11 +37,7 @@ def add_parser(commands: Any) -> None:
 
 
 def run(given: argparse.Namespace) -> None:
-    """
-    Run the command.
-
-    :param given: parsed arguments.
-    """
+    """Run the command."""
     from socialnav_core.benchmarking.reference import load_reference
 
     require_new(given.json, given)
@@ -63,11 +55,7 @@ def run(given: argparse.Namespace) -> None:
 
 
 def measurers(reference: Any) -> dict[str, Callable[[], list[Any]]]:
-    """
-    Return what measures each subject.
-
-    :param reference: the plain reference, or None.
-    """
+    """Return what measures each subject."""
     from socialnav_core.benchmarking.lookahead import lookahead_measurements
     from socialnav_core.benchmarking.simulator import simulator_measurements
     from socialnav_core.benchmarking.training import training_measurements
@@ -80,11 +68,7 @@ def measurers(reference: Any) -> dict[str, Callable[[], list[Any]]]:
 
 
 def machine(threads: int) -> dict[str, Any]:
-    """
-    Return what the figures were measured on.
-
-    :param threads: of the processor, that were used.
-    """
+    """Return what the figures were measured on."""
     return {
         'processor': processor_name(),
         'python': platform.python_version(),
@@ -101,11 +85,7 @@ def processor_name() -> str:
 
 
 def as_table(measurements: Sequence[Any]) -> str:
-    """
-    Return measurements as text in columns.
-
-    :param measurements: what was measured.
-    """
+    """Return measurements as text in columns."""
     rows: list[tuple[str, ...]] = [COLUMNS]
     for each in measurements:
         details = ', '.join(

@@ -13,11 +13,7 @@ SECTIONS = ('scenario', 'policy')
 
 
 def use_threads(given: argparse.Namespace) -> None:
-    """
-    Compute with as many threads as were asked for, in memory that stays with the process.
-
-    :param given: parsed arguments.
-    """
+    """Compute with as many threads as were asked for, in memory that stays with the process."""
     import torch
 
     from socialnav_core.allocator import keep_freed_memory
@@ -32,7 +28,6 @@ def chosen_scenario(given: argparse.Namespace) -> Scenario:
     """
     Return the scenario with the settings that were changed.
 
-    :param given: parsed arguments of a command with the world options.
     :raises ConfigError: for an unknown scenario or setting.
     """
     from socialnav_core.simulation import make_scenario
@@ -45,7 +40,6 @@ def chosen_settings(given: argparse.Namespace) -> dict[str, dict[str, Any]]:
     """
     Return the settings that were changed, by section.
 
-    :param given: parsed arguments of a command with the world options.
     :raises ConfigError: for an assignment to another section.
     """
     sections: dict[str, dict[str, Any]] = {section: {} for section in SECTIONS}
@@ -61,8 +55,6 @@ def open_policy(model: str, given: argparse.Namespace) -> 'Policy':
     """
     Return a policy with the settings that were changed.
 
-    :param model: as typed.
-    :param given: parsed arguments of a command with the world options.
     :raises CheckpointError: when the model is damaged.
     :raises ConfigError: when there is no such model, or for settings that it does not have.
     """
@@ -76,8 +68,6 @@ def open_policies(models: list[str], given: argparse.Namespace) -> dict[str, 'Po
     """
     Return several policies by name; each is given those of the changed settings that it has.
 
-    :param models: as typed.
-    :param given: parsed arguments of a command with the world options.
     :raises CheckpointError: when a model is damaged.
     :raises ConfigError: when there is no such model, or for settings that none of them has.
     """
@@ -104,7 +94,6 @@ def chosen_overrides(given: argparse.Namespace) -> dict[str, Any]:
     """
     Return the settings of policies that were changed, by name.
 
-    :param given: parsed arguments of a command with the world options.
     :raises ConfigError: for an assignment to another section.
     """
     switches = {name: getattr(given, name) for name in ('lookahead', 'screening', 'safety_space')}

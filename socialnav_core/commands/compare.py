@@ -25,11 +25,7 @@ sarl gat4sn orca --scenario crowd20 --episodes 5000 --json out/comparison.json""
 
 
 def add_parser(commands: Any) -> None:
-    """
-    Add the command.
-
-    :param commands: what `add_subparsers` returned.
-    """
+    """Add the command."""
     summary = (
         "Run some policies on the same cases and print the paired differences (McNemar's test)."
     )
@@ -43,11 +39,7 @@ def add_parser(commands: Any) -> None:
 
 
 def run(given: argparse.Namespace) -> None:
-    """
-    Run the command.
-
-    :param given: parsed arguments.
-    """
+    """Run the command."""
     from socialnav_core.evaluation import compare
     from socialnav_core.evaluation.report import comparison_text
     from socialnav_core.metrics import chosen

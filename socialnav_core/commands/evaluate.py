@@ -34,11 +34,7 @@ out/sarl --scenario simple --lookahead oracle --no-screening --card"""
 
 
 def add_parser(commands: Any) -> None:
-    """
-    Add the command.
-
-    :param commands: what `add_subparsers` returned.
-    """
+    """Add the command."""
     summary = 'Run a policy on unseen cases, each once, and print what came of it.'
     parser = add_command(commands, 'evaluate', run, summary, EXAMPLES)
     parser.add_argument('model', metavar='MODEL', help=MODEL_HELP)
@@ -53,11 +49,7 @@ def add_parser(commands: Any) -> None:
 
 
 def add_episodes_option(parser: argparse.ArgumentParser) -> None:
-    """
-    Add `--episodes`.
-
-    :param parser: of a command.
-    """
+    """Add `--episodes`."""
     parser.add_argument(
         '--episodes', type=positive_number, default=500, metavar='N', help='cases (500)'
     )
@@ -72,11 +64,7 @@ def add_metrics_option(parser: argparse.ArgumentParser) -> None:
 
 
 def run(given: argparse.Namespace) -> None:
-    """
-    Run the command.
-
-    :param given: parsed arguments.
-    """
+    """Run the command."""
     from socialnav_core.evaluation.report import evaluation_text
     from socialnav_core.metrics import chosen
 
@@ -96,12 +84,7 @@ def run(given: argparse.Namespace) -> None:
 
 
 def measure(model: str, policy: 'Policy', scenario: Scenario, given: argparse.Namespace) -> Any:
-    """
-    Return the result of a policy.
-
-    :param model: its name.
-    :param given: parsed arguments: episodes, seed, split.
-    """
+    """Return the result of a policy."""
     from socialnav_core.evaluation import evaluate
 
     return evaluate(
@@ -110,12 +93,7 @@ def measure(model: str, policy: 'Policy', scenario: Scenario, given: argparse.Na
 
 
 def described(result: Any, given: argparse.Namespace) -> dict[str, Any]:
-    """
-    Return a result as plain values, with the settings that were changed.
-
-    :param result: of evaluate.
-    :param given: parsed arguments.
-    """
+    """Return a result as plain values, with the settings that were changed."""
     values = result.to_mapping(given.further)
     cases = values.pop('cases')
     values['settings'] = parse_assignments(given.assignments) | dict(result.policy.settings)

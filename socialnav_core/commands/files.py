@@ -14,8 +14,7 @@ def require_new(path: Path | None, given: argparse.Namespace) -> None:
     """
     Raise a ConfigError unless a file can be written that does not exist or may be replaced.
 
-    :param path: of the file; None for no file.
-    :param given: parsed arguments of a command with `--overwrite`.
+    :param path: None for no file.
     """
     if path is None:
         return
@@ -29,11 +28,7 @@ def require_new(path: Path | None, given: argparse.Namespace) -> None:
 
 
 def require_own(model: Path) -> None:
-    """
-    Raise a ConfigError when a model belongs to an installed package, where nothing is written.
-
-    :param model: folder of a checkpoint.
-    """
+    """Raise a ConfigError when a model belongs to an installed package, which stays as it is."""
     if CHECKOUT is None and model.resolve().is_relative_to(MODELS):
         raise ConfigError(f'{model} belongs to the installed package: copy it and name the copy')
 
@@ -43,7 +38,6 @@ def write_json(path: Path | None, values: Any) -> None:
     Write plain values, at once or not at all.
 
     :param path: of the file, whose folder is made if needed; None for no file.
-    :param values: mappings, lists, text and numbers.
     """
     from socialnav_core.storage import atomic_write
 

@@ -10,11 +10,7 @@ EXAMPLES = """
 
 
 def add_parser(commands: Any) -> None:
-    """
-    Add the command.
-
-    :param commands: what `add_subparsers` returned.
-    """
+    """Add the command."""
     summary = 'List the metrics that evaluate and compare can measure.'
     parser = add_command(commands, 'metrics', run, summary, EXAMPLES)
     parser.add_argument(

@@ -19,11 +19,7 @@ DIGEST_LENGTH = 12
 
 
 def add_parser(commands: Any) -> None:
-    """
-    Add the command.
-
-    :param commands: what `add_subparsers` returned.
-    """
+    """Add the command."""
     summary = 'List the trained models with their results.'
     parser = add_command(commands, 'models', run, summary, EXAMPLES)
     parser.add_argument(
@@ -39,11 +35,7 @@ def add_parser(commands: Any) -> None:
 
 
 def run(given: argparse.Namespace) -> None:
-    """
-    Run the command.
-
-    :param given: parsed arguments.
-    """
+    """Run the command."""
     from socialnav_core.places import MODELS
     from socialnav_core.policies.value.checkpoint import WEIGHTS
 
@@ -59,11 +51,7 @@ def run(given: argparse.Namespace) -> None:
 
 
 def write_cards(folders: list[Path]) -> None:
-    """
-    Write the card of each model anew.
-
-    :param folders: of the checkpoints.
-    """
+    """Write the card of each model anew."""
     from socialnav_core.commands.files import require_own
     from socialnav_core.policies.value.checkpoint import load_checkpoint
     from socialnav_core.training import write_model_card
@@ -74,11 +62,7 @@ def write_cards(folders: list[Path]) -> None:
 
 
 def row(folder: Path) -> tuple[str, ...]:
-    """
-    Return the cells of COLUMNS for one model; of a damaged one, what is wrong with it.
-
-    :param folder: of the checkpoint.
-    """
+    """Return the cells of COLUMNS for one model; of a damaged one, what is wrong with it."""
     from socialnav_core.policies.value.checkpoint import CheckpointError, load_checkpoint
 
     try:

@@ -26,11 +26,7 @@ BAG_FORMATS = ('.mcap',)
 
 
 def add_parser(commands: Any) -> None:
-    """
-    Add the command.
-
-    :param commands: what `add_subparsers` returned.
-    """
+    """Add the command."""
     summary = (
         'Run one case and show it: .gif and .mp4 move, .png shows the trajectories; '
         '--bag writes it as a ROS 2 bag.'
@@ -52,11 +48,7 @@ def add_parser(commands: Any) -> None:
 
 
 def run(given: argparse.Namespace) -> None:
-    """
-    Run the command.
-
-    :param given: parsed arguments.
-    """
+    """Run the command."""
     from socialnav_core.viewing import record
     from socialnav_core.viewing.recording import summary
 
@@ -75,12 +67,7 @@ def run(given: argparse.Namespace) -> None:
 
 
 def picture_path(given: argparse.Namespace, name: str) -> Path | None:
-    """
-    Return where the picture goes; None where only a bag is wanted.
-
-    :param given: parsed arguments.
-    :param name: of the model.
-    """
+    """Return where the picture goes; None where only a bag is wanted."""
     if given.out is not None or given.bag is not None:
         return given.out
     return Path('out', 'render', f'{name}-{given.scenario}-{given.seed}-{given.case}.gif')
@@ -90,7 +77,6 @@ def require_format(path: Path, formats: tuple[str, ...]) -> None:
     """
     Raise a ConfigError unless a file can be written in the format that its suffix names.
 
-    :param path: of the file.
     :param formats: suffixes to choose from.
     """
     if path.suffix not in formats:
@@ -106,8 +92,7 @@ def write(recording: Any, path: Path) -> None:
     """
     Write a recording in the format that the file's suffix names, at once or not at all.
 
-    :param recording: the episode.
-    :param path: of the file, whose folder is made if needed.
+    :param path: its folder is made if needed.
     """
     from socialnav_core.storage import written_whole
 
@@ -118,11 +103,7 @@ def write(recording: Any, path: Path) -> None:
 
 
 def writer_of(suffix: str) -> Callable[[Any, Path], None]:
-    """
-    Return what writes a recording into a file.
-
-    :param suffix: of the file.
-    """
+    """Return what writes a recording into a file."""
     if suffix == '.mcap':
         from socialnav_core.viewing.bag import write_bag
 

@@ -16,11 +16,7 @@ EXAMPLE_RADIUS = '2.5'
 
 
 def add_parser(commands: Any) -> None:
-    """
-    Add the command.
-
-    :param commands: what `add_subparsers` returned.
-    """
+    """Add the command."""
     summary = 'List the scenarios and crowds, or print every setting of a scenario.'
     parser = add_command(commands, 'scenarios', run, summary, EXAMPLES)
     parser.add_argument(
@@ -29,11 +25,7 @@ def add_parser(commands: Any) -> None:
 
 
 def run(given: argparse.Namespace) -> None:
-    """
-    Run the command.
-
-    :param given: parsed arguments.
-    """
+    """Run the command."""
     from socialnav_core.config import CROWDS
     from socialnav_core.config.mapping import to_yaml
     from socialnav_core.simulation import make_scenario, SCENARIOS
@@ -54,7 +46,6 @@ def parameters(scenario: Scenario, growing: bool) -> tuple[str, ...]:
     """
     Return the parameters in which scenarios differ, as text.
 
-    :param scenario: one of them.
     :param growing: whether its largest obstacle radius is part of its name.
     """
     low, high = scenario.obstacle_radius_min, scenario.obstacle_radius_max

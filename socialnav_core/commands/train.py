@@ -28,11 +28,7 @@ VALIDATION_EPISODES = 500
 
 
 def add_parser(commands: Any) -> None:
-    """
-    Add the command.
-
-    :param commands: what `add_subparsers` returned.
-    """
+    """Add the command."""
     summary = 'Train a value network by imitation of ORCA, then by value learning.'
     parser = add_command(commands, 'train', run, summary, EXAMPLES)
     parser.add_argument(
@@ -49,11 +45,7 @@ def add_parser(commands: Any) -> None:
 
 
 def run(given: argparse.Namespace) -> None:
-    """
-    Run the command.
-
-    :param given: parsed arguments.
-    """
+    """Run the command."""
     use_threads(given)
     from socialnav_core.config import read_config
     from socialnav_core.training import train
@@ -74,13 +66,7 @@ def run(given: argparse.Namespace) -> None:
 
 
 def validate(policy: 'Policy', scenario: 'Scenario', name: str, seed: int) -> dict[str, Any]:
-    """
-    Print and return how a trained policy does on cases of the validation split.
-
-    :param scenario: the world that it was trained in.
-    :param name: of the run.
-    :param seed: of the run.
-    """
+    """Print and return how a trained policy does on validation cases of its own world."""
     from socialnav_core.evaluation import evaluate
     from socialnav_core.evaluation.report import evaluation_text
 

@@ -17,33 +17,18 @@ class ConfigError(ValueError):
 
 
 def require(condition: bool, message: str) -> None:
-    """
-    Raise a ConfigError unless a condition holds.
-
-    :param condition: what must be true.
-    :param message: says what to do.
-    """
+    """Raise a ConfigError unless a condition holds."""
     if not condition:
         raise ConfigError(message)
 
 
 def require_choice(name: str, value: str, choices: Collection[str]) -> None:
-    """
-    Raise a ConfigError unless a value is one of the choices.
-
-    :param name: the setting, for the message.
-    :param value: what was given.
-    :param choices: what may be given.
-    """
+    """Raise a ConfigError unless a value is one of the choices."""
     require(value in choices, f'{name} must be one of {", ".join(choices)}, not {value!r}')
 
 
 def to_mapping(settings: Any) -> dict[str, Any]:
-    """
-    Return a dataclass as nested mappings of plain values.
-
-    :param settings: an instance of a dataclass of socialnav_core.config.
-    """
+    """Return a dataclass as nested mappings of plain values."""
     return dataclasses.asdict(settings)
 
 
@@ -51,8 +36,6 @@ def from_mapping(kind: type[Settings], values: Mapping[str, Any], where: str = '
     """
     Build a dataclass from nested mappings; fields that are not named keep their defaults.
 
-    :param kind: a dataclass of socialnav_core.config.
-    :param values: field names and values.
     :param where: dotted path of the mapping, for messages.
     :raises ConfigError: for an unknown key, a missing one or a value of the wrong type.
     """
@@ -75,7 +58,6 @@ def replace(settings: Settings, assignments: Mapping[str, Any], where: str = '')
     """
     Return settings with some fields replaced.
 
-    :param settings: a dataclass of socialnav_core.config.
     :param assignments: dotted field names and values, such as {'orca.time_horizon': 4}.
     :param where: dotted path of the settings, for messages.
     :raises ConfigError: for an unknown key or a value of the wrong type.
@@ -88,11 +70,9 @@ def replace(settings: Settings, assignments: Mapping[str, Any], where: str = '')
 
 def assign(values: dict[str, Any], path: str, value: Any) -> None:
     """
-    Set a nested value in place; sections that are missing are made.
+    Set a value at a dotted path in place; sections that are missing are made.
 
     Whether there is such a setting comes out when the mapping becomes a dataclass.
-
-    :param path: dotted name.
     """
     *sections, last = path.split('.')
     for section in sections:
@@ -106,7 +86,6 @@ def flatten(values: Mapping[str, Any], where: str = '') -> dict[str, Any]:
     """
     Return nested mappings as one with dotted keys.
 
-    :param values: nested mappings.
     :param where: dotted path that is put before each key.
     """
     flat: dict[str, Any] = {}
@@ -138,7 +117,6 @@ def read_yaml(path: Path) -> dict[str, Any]:
     """
     Return the mapping that a YAML file holds.
 
-    :param path: the file.
     :raises ConfigError: when it cannot be read or holds no mapping.
     """
     try:
@@ -151,11 +129,7 @@ def read_yaml(path: Path) -> dict[str, Any]:
 
 
 def to_yaml(settings: Any) -> str:
-    """
-    Return a dataclass as YAML, fields in the order of the dataclass.
-
-    :param settings: an instance of a dataclass of socialnav_core.config.
-    """
+    """Return a dataclass as YAML, fields in the order of the dataclass."""
     return yaml.safe_dump(to_mapping(settings), sort_keys=False)
 
 
@@ -164,7 +138,6 @@ def convert(kind: Any, value: Any, where: str) -> Any:
     Return a value as the type of its field; whole numbers pass for floats and nothing else does.
 
     :param kind: bool, int, float, str or a dataclass.
-    :param value: what was given.
     :param where: dotted path of the field, for messages.
     :raises ConfigError: when the types do not fit.
     """
@@ -180,11 +153,7 @@ def convert(kind: Any, value: Any, where: str) -> Any:
 
 
 def number_from_text(text: str) -> float | str:
-    """
-    Return a text as a number where it is one, else as it is.
-
-    :param text: any text.
-    """
+    """Return a text as a number where it is one, else as it is."""
     try:
         return float(text)
     except ValueError:
@@ -196,8 +165,6 @@ def unknown_key(where: str, key: str, known: Iterable[str]) -> str:
     Return the message for a key that does not exist.
 
     :param where: dotted path of the mapping.
-    :param key: what was asked for.
-    :param known: what exists.
     """
     return f'unknown setting {join(where, key)!r}; {hint(key, known)}'
 
@@ -214,6 +181,5 @@ def join(where: str, key: str) -> str:
     Return a dotted path.
 
     :param where: path so far, may be empty.
-    :param key: its next part.
     """
     return f'{where}.{key}' if where else key

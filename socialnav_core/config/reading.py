@@ -80,8 +80,6 @@ def with_shared(policy: Mapping[str, Any], scenario: Mapping[str, Any]) -> dict[
     """
     Return the settings of a policy, completed by those that it has from the scenario.
 
-    :param policy: settings of the policy.
-    :param scenario: all settings of the scenario.
     :raises ConfigError: when the policy has another value than the scenario.
     """
     if not isinstance(policy, Mapping):

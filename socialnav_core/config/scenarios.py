@@ -95,12 +95,7 @@ def resolve_scenario(value: str | Mapping[str, Any]) -> Scenario:
 
 
 def with_obstacle_radius(scenario: Scenario, radius: float) -> Scenario:
-    """
-    Return the scenario with another largest obstacle radius, named after it where it is a level.
-
-    :param scenario: any scenario.
-    :param radius: largest obstacle radius, m.
-    """
+    """Return the scenario with another largest obstacle radius; a level is named after it."""
     family, dash, _ = scenario.name.partition('-')
     name = f'{family}-{radius:g}' if dash else scenario.name
     return dataclasses.replace(scenario, name=name, obstacle_radius_max=radius)

@@ -40,8 +40,7 @@ def comparison_text(
     """
     Return the figures of some policies and their differences as two tables.
 
-    :param results: of evaluate, on the same cases.
-    :param comparisons: of compare.
+    :param results: on the same cases.
     :param further: names of metrics besides those that are always shown, or `all`.
     """
     differences = [COMPARISON_COLUMNS, *map(comparison_row, comparisons)]
@@ -103,11 +102,7 @@ def comparison_row(comparison: Comparison) -> tuple[str, ...]:
 
 
 def title(result: EvaluationResult) -> str:
-    """
-    Return what was evaluated, on one line.
-
-    :param result: of evaluate.
-    """
+    """Return what was evaluated, on one line."""
     policy = result.policy
     cases = f'{result.episodes} cases of {result.split}, seed {result.seed}'
     how = (

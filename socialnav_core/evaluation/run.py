@@ -119,7 +119,6 @@ def evaluate(
     Run the cases 0 to episodes - 1, each exactly once.
 
     :param episodes: number of cases, at least 1.
-    :param seed: of the cases.
     :param split: train, validation or test.
     :param batch_size: worlds that are run side by side.
     :param name: name of the policy in the result.

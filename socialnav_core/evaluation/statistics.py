@@ -33,8 +33,6 @@ def wilson_interval(successes: int, n: int, level: float = 0.95) -> tuple[float,
 
     Source: Wilson 1927, as computed by `scipy.stats.binomtest`.
 
-    :param successes: number of successes, 0 to n.
-    :param n: number of cases, at least 1.
     :param level: confidence level between 0 and 1.
     :raises ValueError: when n is zero or successes lies outside 0 to n.
     """
@@ -93,9 +91,7 @@ def paired_mean_difference(
 
     :param first: one finite value per case, for instance a time in seconds, shape (cases,).
     :param second: the same for the other policy, on the same cases in the same order.
-    :param generator: source of the resampling's random numbers.
     :param level: confidence level between 0 and 1.
-    :param resamples: number of bootstrap samples.
     :raises ValueError: when the shapes differ, a value is not finite or fewer than 2 cases exist.
     """
     first, second = _paired(np.asarray(first, dtype=float), np.asarray(second, dtype=float))
@@ -130,9 +126,7 @@ def seeds_and_cases_bootstrap(
 
     :param values: outcome or time of each seed and case, or a difference of two policies;
         NaN where there is none (the time of a failure), shape (seeds, cases).
-    :param generator: source of the resampling's random numbers.
     :param level: confidence level between 0 and 1.
-    :param resamples: number of bootstrap samples.
     :raises ValueError: when the array is not two-dimensional or holds no value.
     """
     values = np.asarray(values, dtype=float)

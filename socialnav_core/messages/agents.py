@@ -7,12 +7,7 @@ from socialnav_core.states import CrowdState
 
 
 def agent_states(state: CrowdState, static: bool, nanoseconds: int, frame: str) -> Message:
-    """
-    Return the pedestrians, or the obstacles; an agent's place in the state is its id.
-
-    :param state: batch of one.
-    :param static: whether obstacles are meant.
-    """
+    """Return pedestrians or obstacles, batch of one; an agent's place in the state is its id."""
     agents = state.agents
     chosen = np.flatnonzero(agents.valid[0] & (agents.static[0] == static))
     return agent_states_of(

@@ -20,12 +20,7 @@ COLORS = {
 def world_markers(
     state: CrowdState, goal_tolerance: float, nanoseconds: int, frame: str
 ) -> Message:
-    """
-    Return everything in the world; markers shown before are replaced.
-
-    :param state: batch of one.
-    :param goal_tolerance: radius of the goal, m.
-    """
+    """Return everything in the world, batch of one; markers shown before are replaced."""
     markers: list[Message] = []
     for index in np.flatnonzero(state.agents.valid[0]).tolist():
         name = 'obstacles' if state.agents.static[0, index] else 'pedestrians'
@@ -52,7 +47,6 @@ def disc(name: str, index: int, centre: np.ndarray, radius: float) -> Message:
     :param name: namespace; it gives height and colour.
     :param index: id within the namespace.
     :param centre: m, (2,).
-    :param radius: m.
     """
     height = HEIGHTS[name]
     return {

@@ -20,19 +20,11 @@ def header(nanoseconds: int, frame: str) -> Message:
 
 
 def vector(plane: np.ndarray, z: float = 0.0) -> Message:
-    """
-    Return a geometry_msgs/Point or Vector3.
-
-    :param plane: x and y, (2,).
-    """
+    """Return a geometry_msgs/Point or Vector3 of x and y, (2,), and z."""
     x, y = plane.tolist()
     return {'x': x, 'y': y, 'z': z}
 
 
 def rotation(heading: float) -> Message:
-    """
-    Return the rotation about the z axis as a geometry_msgs/Quaternion.
-
-    :param heading: rad.
-    """
+    """Return the rotation by a heading, rad, about the z axis as a geometry_msgs/Quaternion."""
     return {'x': 0.0, 'y': 0.0, 'z': math.sin(heading / 2), 'w': math.cos(heading / 2)}

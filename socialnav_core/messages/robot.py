@@ -17,7 +17,6 @@ def odometry(
     :param state: batch of one.
     :param frame: frame of the state and of the pose.
     :param base_frame: frame of the twist, fixed to the robot.
-    :param turn_rate: of the robot, rad/s.
     """
     heading = float(state.robot.heading[0])
     pose = {'position': vector(state.robot.position[0]), 'orientation': rotation(heading)}

@@ -49,9 +49,8 @@ class EpisodeRecorder:
 
     def __init__(self, episodes: int, goal_tolerance: float) -> None:
         """
-        Make room.
+        Make room for so many cases.
 
-        :param episodes: number of cases.
         :param goal_tolerance: distance at which the goal counts as reached, m.
         """
         self._goal_tolerance = goal_tolerance
@@ -150,7 +149,6 @@ def time_to_collision(state, world):  # type: ignore[no-untyped-def]
     |p + v t| = r over the pedestrians.
 
     :param state: Bodies.
-    :param world: an index.
     """
     least = np.inf
     for i in range(state.others_radius.shape[1]):

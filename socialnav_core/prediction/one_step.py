@@ -15,7 +15,6 @@ def one_step(
     Several modes are taken together, with the mean and the standard deviation of the mixture.
 
     :param prediction: at one time, the end of the step.
-    :param duration: of the step, s.
     :returns: velocities, m/s, (batch, agents, 2), and standard deviations along each axis, m,
         (batch, agents).
     """

@@ -15,8 +15,6 @@ def circles_of(
     Return centres, m, (circles, 2), and radii, m, (circles,), of the round things seen.
 
     :param points: as seen from the origin, m, (points, 2).
-    :param radius_min: of a circle, m.
-    :param radius_max: of a circle, m.
     :param tolerance: root mean square distance of the points from their circle, m.
     """
     found = [fitted_circle(group) for group in groups_of(points) if len(group) >= LEAST_POINTS]
@@ -44,14 +42,13 @@ def groups_of(points: np.ndarray) -> list[np.ndarray]:
 
 def fitted_circle(points: np.ndarray) -> tuple[float, float, float, float]:
     """
-    Return x, y and radius of the circle through points, and how far they are from it, m.
+    Return x, y and radius of a circle through points, m, (points, 2), and how far off they are, m.
 
     The circle is that of Kasa (1976); the distance is the root of the mean square.
-
-    :param points: m, (points, 2).
     """
     middle = points.mean(axis=0)
     offset = points - middle
+    # linear in x, y and rest = r^2 - x^2 - y^2: u^2 + v^2 = 2 u x + 2 v y + rest
     system = np.column_stack([2 * offset, np.ones(len(offset))])
     x, y, rest = np.linalg.lstsq(system, (offset**2).sum(axis=1), rcond=None)[0]
     radius = np.sqrt(max(rest + x * x + y * y, 0.0))

@@ -34,35 +34,19 @@ class Pose:
         return np.array([[cosine, sine], [-sine, cosine]])
 
     def turned(self, vectors: np.ndarray) -> np.ndarray:
-        """
-        Return vectors of the frame as the outer one has them, (..., 2).
-
-        :param vectors: velocities, (..., 2).
-        """
+        """Return vectors of the frame, as velocities are, as the outer one has them, (..., 2)."""
         return vectors if self == HERE else vectors @ self.rotation
 
     def placed(self, points: np.ndarray) -> np.ndarray:
-        """
-        Return points of the frame as the outer one has them, (..., 2).
-
-        :param points: m, (..., 2).
-        """
+        """Return points of the frame as the outer one has them, m, (..., 2)."""
         return points if self == HERE else points @ self.rotation + self.position
 
     def found(self, points: np.ndarray) -> np.ndarray:
-        """
-        Return points of the outer frame as this one has them, (..., 2).
-
-        :param points: m, (..., 2).
-        """
+        """Return points of the outer frame as this one has them, m, (..., 2)."""
         return (points - self.position) @ self.rotation.T
 
     def of(self, inner: 'Pose') -> 'Pose':
-        """
-        Return the pose of what sits at a pose within this frame.
-
-        :param inner: the pose within this frame.
-        """
+        """Return the pose of what sits at a pose within this frame."""
         x, y = self.placed(inner.position).tolist()
         return Pose(x, y, self.heading + inner.heading)
 
@@ -83,11 +67,7 @@ class Motion:
     """rad/s."""
 
     def after(self, duration: float) -> Pose:
-        """
-        Return the pose after some time at constant velocity.
-
-        :param duration: s.
-        """
+        """Return the pose after some time, s, at constant velocity."""
         x, y = (self.pose.position + duration * self.velocity).tolist()
         return Pose(x, y, self.pose.heading + duration * self.turn_rate)
 
@@ -106,12 +86,7 @@ class PoseHistory:
         self._motions: deque[Motion] = deque(maxlen=MEMORY)
 
     def store(self, stamp: int, motion: Motion) -> None:
-        """
-        Keep a pose.
-
-        :param stamp: its time, ns.
-        :param motion: the pose.
-        """
+        """Keep a pose and its time, ns."""
         if self._stamps and stamp < self._stamps[-1]:
             self._stamps.clear()
             self._motions.clear()
@@ -119,11 +94,7 @@ class PoseHistory:
         self._motions.append(motion)
 
     def at(self, stamp: int) -> Pose | None:
-        """
-        Return the pose at a time, None where no pose is near enough.
-
-        :param stamp: the time, ns.
-        """
+        """Return the pose at a time, ns, None where no pose is near enough."""
         following = bisect_right(self._stamps, stamp)
         if following == 0:
             return None
@@ -140,13 +111,7 @@ class PoseHistory:
 
 
 def interpolated(first: Pose, second: Pose, fraction: float) -> Pose:
-    """
-    Return a pose between two others; the heading turns the shorter way.
-
-    :param first: the pose at fraction 0.
-    :param second: the pose at fraction 1.
-    :param fraction: how far from the first.
-    """
+    """Return a pose a fraction of the way between two; the heading turns the shorter way."""
     turn = (second.heading - first.heading + math.pi) % (2 * math.pi) - math.pi
     x, y = (first.position + fraction * (second.position - first.position)).tolist()
     return Pose(x, y, first.heading + fraction * turn)

@@ -7,11 +7,7 @@ WALL, NOTHING = -1, -2
 
 
 def beam_angles(beams: int) -> np.ndarray:
-    """
-    Return the directions of the beams of a scanner that sees all around, rad, (beams,).
-
-    :param beams: number of beams.
-    """
+    """Return the directions of the beams of a scanner that sees all around, rad, (beams,)."""
     return 2 * np.pi * np.arange(beams) / beams - np.pi
 
 
@@ -53,8 +49,11 @@ def disc_distances(offset: np.ndarray, radius: np.ndarray, direction: np.ndarray
     """
     along = direction @ offset.T
     across = direction[:, :1] * offset[:, 1] - direction[:, 1:] * offset[:, 0]
+    # a ray that passes the disc by has no chord: the clamp only keeps the root real
     half_chord = np.sqrt(np.maximum(radius**2 - across**2, 0.0))
+    # beside the disc, or all of it behind the origin
     missed = (np.abs(across) > radius) | (along + half_chord < 0)
+    # from within a disc the way into it is negative
     return np.where(missed, np.inf, np.maximum(along - half_chord, 0.0))
 
 
@@ -69,5 +68,6 @@ def wall_distances(origin: np.ndarray, direction: np.ndarray, bounds: float) -> 
     if np.isinf(bounds):
         return np.full(len(direction), np.inf)
     with np.errstate(divide='ignore', invalid='ignore'):
+        # along each axis only the wall ahead can be reached
         lengths = (bounds * np.sign(direction) - origin) / direction
     return np.maximum(np.where(direction == 0, np.inf, lengths).min(axis=1), 0.0)

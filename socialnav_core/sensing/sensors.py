@@ -41,25 +41,14 @@ class Sensors:
     def __init__(
         self, scanner: ScannerSettings, detector: DetectorSettings, seed: int, case: int
     ) -> None:
-        """
-        Begin an episode.
-
-        :param scanner: settings of the scanner.
-        :param detector: settings of the detector.
-        :param seed: of the cases.
-        :param case: which of them.
-        """
+        """Begin an episode, with the noise of a seed and case."""
         self.scanner, self.detector = scanner, detector
         self._scanning, self._detecting = (
             np.random.default_rng([seed, case, purpose]) for purpose in (SCANNING, DETECTING)
         )
 
     def scan(self, state: CrowdState) -> np.ndarray:
-        """
-        Return the range of each beam, m, inf where it is free, (beams,).
-
-        :param state: the world; its first one is measured.
-        """
+        """Return the range of each beam in the first world, m, inf where it is free, (beams,)."""
         ranges = self._cast(state)[0]
         noisy = ranges + self.scanner.noise * self._scanning.standard_normal(len(ranges))
         return np.where(ranges <= self.scanner.range, np.maximum(noisy, 0.0), np.inf)
@@ -68,7 +57,7 @@ class Sensors:
         """
         Return where pedestrians are seen, in an order that tells nothing, m, (detections, 2).
 
-        :param state: the world; its first one is looked at.
+        :param state: its first world is looked at.
         """
         walking = np.flatnonzero(state.agents.valid[0] & ~state.agents.static[0])
         position = state.agents.position[0, walking]

@@ -51,8 +51,6 @@ def scan_returns(
     :param ranges: m, (beams,).
     :param angle_min: direction of the first beam, rad.
     :param angle_increment: from beam to beam, rad, of either sign.
-    :param range_min: shortest range that counts, m.
-    :param range_max: longest range that counts, m.
     :raises ValueError: where no beam measured anything, or the scan's own numbers cannot be.
     """
     ranges = np.asarray(ranges, dtype=float)
@@ -99,7 +97,6 @@ def surrounding_discs(
     :param robot: its centre, m, (2,).
     :param people_position: known people, whose returns are left out, m, (people, 2).
     :param people_radius: of them, m, (people,).
-    :param settings: how discs are made.
     :param depth: how much nearer than its point a surface may be, m.
     """
     offset = points - robot
@@ -125,7 +122,6 @@ def nearest_of_sectors(offset: np.ndarray, sectors: int) -> np.ndarray:
     Return the nearest point in each sector where there is one, m, (nearest, 2).
 
     :param offset: of the points from the robot, m, (points, 2).
-    :param sectors: number of equal sectors around the robot.
     """
     turn = np.arctan2(offset[:, 1], offset[:, 0]) / (2 * np.pi) % 1.0
     sector = (turn * sectors).astype(int) % sectors

@@ -88,6 +88,7 @@ class Tracker:
     def _predict(self, duration: float) -> None:
         """Move all tracks forward in time."""
         step = np.eye(4) + duration * np.eye(4, k=2)
+        # covariance that white noise of the acceleration adds to position and velocity
         spread = np.array([[duration**3 / 3, duration**2 / 2], [duration**2 / 2, duration]])
         self._mean = self._mean @ step.T
         self._covariance = step @ self._covariance @ step.T + np.kron(

@@ -28,12 +28,7 @@ class Episodes:
     """
 
     def __init__(self, scenario: Scenario, batch_size: int) -> None:
-        """
-        Allocate; `begin` and `start` fill.
-
-        :param scenario: numbers of agents, layout.
-        :param batch_size: number of worlds.
-        """
+        """Allocate; `begin` and `start` fill."""
         self.scenario = scenario
         self.state = empty_state(scenario, batch_size)
         self.goal = np.zeros((batch_size, scenario.agents, 2))
@@ -80,11 +75,7 @@ class Episodes:
         self.case_index[worlds] = cases
 
     def stop(self, worlds: np.ndarray) -> None:
-        """
-        Leave worlds idle.
-
-        :param worlds: indices.
-        """
+        """Leave worlds idle, given by their indices."""
         self.case_index[worlds] = -1
 
     def moving(self, until_decision: np.ndarray) -> Moving:
@@ -115,11 +106,7 @@ class Episodes:
         return state | {name: getattr(self, name) for name in ARRAYS} | self.queue.arrays()
 
     def restore(self, arrays: dict[str, np.ndarray]) -> None:
-        """
-        Take over copies of everything.
-
-        :param arrays: as returned by `arrays`.
-        """
+        """Take over copies of what `arrays` returns."""
         named = {name.removeprefix('state.'): array for name, array in arrays.items()}
         self.state = CrowdState.from_arrays(named).copy()
         for name in ARRAYS:
@@ -152,12 +139,7 @@ class Episodes:
 
 
 def empty_state(scenario: Scenario, batch_size: int) -> CrowdState:
-    """
-    Return a state with everybody at the origin; radii of pedestrians and obstacles are not set.
-
-    :param scenario: numbers of agents, robot, walls.
-    :param batch_size: number of worlds.
-    """
+    """Return a state with everybody at the origin; radii of the agents are not set."""
     agents = scenario.agents
     static = np.arange(agents) >= scenario.pedestrians
     return CrowdState(

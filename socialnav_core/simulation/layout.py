@@ -20,11 +20,7 @@ class PackingError(ConfigError):
 
 
 def packing_message(scenario: Scenario) -> str:
-    """
-    Return what to change about a scenario that could not be laid out.
-
-    :param scenario: the scenario.
-    """
+    """Return what to change about a scenario that could not be laid out."""
     return (
         f'scenario {scenario.name}: no layout found for {scenario.pedestrians} pedestrians and '
         f'{scenario.obstacles} obstacles of radius up to {scenario.obstacle_radius_max:g} m in '
@@ -180,7 +176,6 @@ def is_apart(points, i, robot_x, robot_y, settings, radius):  # type: ignore[no-
     Return whether a pedestrian's start or goal is clear of the robot's and of the others'.
 
     :param points: starts or goals, m, (agents, 2); those of later pedestrians are not there yet.
-    :param i: the pedestrian.
     :param robot_x: start or goal of the robot, m.
     :param robot_y: m.
     :param radius: of the agents, m, (agents,).

@@ -57,9 +57,7 @@ def move_worlds(  # type: ignore[no-untyped-def]
 
     :param active: worlds that run, bool (batch,); the others earn nothing and end no more.
     :param motion: a Motion.
-    :param duration: s.
     :param clearance: least gap in this step, m, (batch,).
-    :param time_limit: s.
     :param moving: a Moving, changed.
     :param records: Records, changed.
     :param reward: changed, (batch,).

@@ -59,10 +59,10 @@ def uniform(stream, low, high):  # type: ignore[no-untyped-def]
     Return a number of U(low, high), float64 of 53 random bits, and advance the stream.
 
     :param stream: uint64 (6,), its last counter word is advanced.
-    :param low: smallest value.
     :param high: upper end, excluded.
     """
     word0, word1, _, _ = philox(stream)
     stream[5] = stream[5] + np.uint64(1)
+    # 32 bits of one word before 21 of the next, as many as a float64 holds
     bits = (word0 << np.uint64(21)) | (word1 >> np.uint64(11))
     return low + (high - low) * (np.float64(bits) / 9007199254740992.0)

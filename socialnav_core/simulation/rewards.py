@@ -91,10 +91,8 @@ def step_outcomes(
     rim is behind it at the end. Clearance does not include the walls; discomfort does where the
     settings say so.
 
-    :param state: the world before the step.
     :param displacement: of the robot, m, (batch, candidates, 2).
     :param agent_velocity: of the agents during the step, m/s, (batch, agents, 2).
-    :param duration: s.
     """
     shape, robot, agents = displacement.shape[:2], state.robot, state.agents
     judgement = Judgement(
@@ -113,6 +111,7 @@ def swept_distance(x, y, move_x, move_y):  # type: ignore[no-untyped-def]
     """Return the least distance from the origin to the segment from (x, y) on by a move, m."""
     approach = -(x * move_x + y * move_y)
     if approach > 0.0:
+        # nearest at the foot of the perpendicular, or at the end of the move
         share = min(1.0, approach / (move_x * move_x + move_y * move_y))
         x += share * move_x
         y += share * move_y

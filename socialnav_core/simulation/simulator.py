@@ -37,8 +37,6 @@ class Simulator:
         """
         Make worlds; `reset` lays them out.
 
-        :param scenario: what the worlds are like.
-        :param batch_size: number of worlds.
         :param autoreset: same_step or disabled.
         :raises ConfigError: for a batch without worlds or an unknown autoreset.
         """
@@ -86,11 +84,7 @@ class Simulator:
         return self.state
 
     def step(self, command: np.ndarray) -> Step:
-        """
-        Advance by the scenario's time step: `advance(command, scenario.time_step)`.
-
-        :param command: of the robots, (batch, 2).
-        """
+        """Advance by the scenario's time step: `advance(command, scenario.time_step)`."""
         return self.advance(command, self.scenario.time_step)
 
     def advance(self, command: np.ndarray, duration: float) -> Step:
@@ -155,12 +149,7 @@ class Simulator:
         return self._decide().copy()
 
     def set_goal(self, world: int, goal: Sequence[float] | np.ndarray) -> None:
-        """
-        Give the robot of a world another goal.
-
-        :param world: its index.
-        :param goal: m, (2,).
-        """
+        """Give the robot of a world another goal, m, (2,)."""
         self._episodes.state.robot.goal[world] = goal
 
     def change_scenario(
@@ -188,11 +177,7 @@ class Simulator:
         return {name: array.copy() for name, array in everything.items()}
 
     def set_state(self, arrays: dict[str, np.ndarray]) -> None:
-        """
-        Go on from where `get_state` was called, on a simulator of the same scenario and size.
-
-        :param arrays: as returned by `get_state`.
-        """
+        """Go on from where `get_state` was called, with the same scenario and batch size."""
         self._decided = arrays['decided'].copy()
         self._until_decision = arrays['until_decision'].copy()
         self._episodes.restore(arrays)

@@ -38,12 +38,7 @@ _DOTS_PER_INCH = 90
 
 
 def write_gif(recording: Recording, path: Path) -> None:
-    """
-    Write an episode as an animated GIF of at most 12 s.
-
-    :param recording: the episode.
-    :param path: file to write.
-    """
+    """Write an episode as an animated GIF of at most 12 s."""
     pictures = [Image.fromarray(frame) for frame in frames(recording)]
     indexed = [
         picture.quantize(palette=_palette(), dither=Image.Dither.NONE) for picture in pictures
@@ -58,8 +53,6 @@ def write_mp4(recording: Recording, path: Path) -> None:
     """
     Write an episode as H.264 video.
 
-    :param recording: the episode.
-    :param path: file to write.
     :raises MissingExtra: where there is no ffmpeg.
     :raises ConfigError: when it fails.
     """
@@ -96,11 +89,7 @@ def find_ffmpeg() -> str:
 
 
 def frames(recording: Recording) -> Iterator[np.ndarray]:
-    """
-    Yield the frames of an episode, uint8, (height, width, 3), both even.
-
-    :param recording: the episode.
-    """
+    """Yield the frames of an episode, uint8, (height, width, 3), both even."""
     figure = Figure(figsize=(scene.WIDTH, scene.HEIGHT), dpi=_DOTS_PER_INCH, facecolor=scene.FLOOR)
     canvas = FigureCanvasAgg(figure)
     stage = Stage(figure, recording)
@@ -113,11 +102,7 @@ def frames(recording: Recording) -> Iterator[np.ndarray]:
 
 
 def frame_times(recording: Recording) -> np.ndarray:
-    """
-    Return the moments that are shown, s, evenly spaced, the start and the end among them.
-
-    :param recording: the episode.
-    """
+    """Return the moments that are shown, s, evenly spaced, the start and the end among them."""
     start, end = recording.times[[0, -1]]
     count = round(min(end - start, LONGEST) * FRAME_RATE) + 1
     return np.linspace(start, end, max(count, 2))
@@ -140,12 +125,7 @@ class Stage:
     """The moving parts of an animation; the rest is drawn once."""
 
     def __init__(self, figure: Figure, recording: Recording) -> None:
-        """
-        Build the scene and everything that moves in it.
-
-        :param figure: where it is drawn.
-        :param recording: the episode.
-        """
+        """Build the scene and everything that moves in it."""
         self.recording = recording
         self.speed = float(np.ptp(recording.times)) / LONGEST
         self.axes = axes = scene.world_axes(figure, recording)
@@ -193,11 +173,7 @@ class Stage:
             axes.text(0.975, 0.035, 'attention', transform=axes.transAxes, **style)
 
     def show(self, time: float) -> None:
-        """
-        Draw the moving parts as they are at a moment.
-
-        :param time: s.
-        """
+        """Draw the moving parts as they are at a moment, s."""
         state = state_at(self.recording, time)
         ended = time >= self.recording.times[-1]
         self.discs.set_offsets(state.agents.position[0][self.people])

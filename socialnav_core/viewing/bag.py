@@ -30,12 +30,7 @@ TYPES = {
 
 
 def write_bag(recording: Recording, path: Path) -> None:
-    """
-    Write an episode as the topics of a simulator in lockstep and a robot that answers it.
-
-    :param recording: made by `record`.
-    :param path: file to write.
-    """
+    """Write an episode as the topics of a simulator in lockstep and a robot that answers it."""
     with path.open('wb') as file, Writer(file) as writer:
         schemas = {
             kind: writer.register_msgdef(full_name(kind), schema_of(kind))
@@ -46,20 +41,12 @@ def write_bag(recording: Recording, path: Path) -> None:
 
 
 def full_name(kind: str) -> str:
-    """
-    Return a type as bags name it.
-
-    :param kind: `package/Type`.
-    """
+    """Return a type, `package/Type`, as bags name it."""
     return kind.replace('/', '/msg/')
 
 
 def all_messages(recording: Recording) -> Iterator[tuple[str, messages.Message, int]]:
-    """
-    Yield topic, message and time, ns, of everything in an episode.
-
-    :param recording: made by `record`.
-    """
+    """Yield topic, message and time, ns, of everything in an episode."""
     commands, kinematics = recording.commands or [], kinematics_of(recording.kinematics)
     for step, state in enumerate(recording.states):
         stamp = START + round(float(state.time[0]) * 1e9)

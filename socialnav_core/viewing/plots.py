@@ -24,12 +24,7 @@ _ATTENTION: dict[str, Any] = {'color': scene.ATTENTION, 'zorder': 7}
 
 
 def plot_recording(recording: Recording, path: Path) -> None:
-    """
-    Write the trajectories of an episode as a picture.
-
-    :param recording: the episode.
-    :param path: file to write; its suffix gives the format.
-    """
+    """Write the trajectories of an episode as a picture in the format of the file's suffix."""
     plot_recordings([recording], path)
 
 
@@ -37,10 +32,8 @@ def plot_recordings(
     recordings: list[Recording], path: Path, attention_at: Sequence[int] | None = None
 ) -> None:
     """
-    Write the trajectories of some episodes side by side.
+    Write the trajectories of some episodes side by side in the format of the file's suffix.
 
-    :param recordings: at least one.
-    :param path: file to write; its suffix gives the format.
     :param attention_at: for each recording the index of the state whose attention is drawn; None
         for no attention.
     """
@@ -57,12 +50,7 @@ def plot_recordings(
 
 
 def draw_trajectories(axes: Axes, recording: Recording) -> None:
-    """
-    Draw all paths, with everybody's discs and the time at regular moments.
-
-    :param axes: of world_axes.
-    :param recording: the episode.
-    """
+    """Draw all paths, with everybody's discs and the time at regular moments."""
     start = recording.states[0]
     marks = time_marks(recording.times)
     people = np.flatnonzero(scene.walkers(recording))
@@ -86,8 +74,7 @@ def draw_attention(axes: Axes, recording: Recording, index: int) -> None:
     """
     Draw how much the policy looks at each agent: a line from the robot, and per cent.
 
-    :param axes: of world_axes.
-    :param recording: the episode, of a policy that has attention.
+    :param recording: of a policy that has attention.
     :param index: of a state but the last.
     """
     assert recording.attention is not None
@@ -113,11 +100,7 @@ def draw_attention(axes: Axes, recording: Recording, index: int) -> None:
 
 
 def time_marks(times: np.ndarray) -> np.ndarray:
-    """
-    Return the indices of at most eight states at whole intervals of time, the last among them.
-
-    :param times: s, (states,).
-    """
+    """Return indices of at most eight states at whole intervals of time, the last among them."""
     span = times[-1] - times[0]
     interval = next((step for step in _MARK_INTERVALS if span <= 7 * step), _MARK_INTERVALS[-1])
     moments = np.arange(times[0], times[-1] - 0.4 * interval, interval)
@@ -131,7 +114,6 @@ def fading_path(
     Return a path whose opacity goes from one value to another.
 
     :param points: (points, 2).
-    :param colour: of the line.
     :param width: of the line, points.
     :param first: opacity at the first point.
     :param last: opacity at the last point.

@@ -78,31 +78,19 @@ class Recording:
 
 
 def summary(recording: Recording) -> str:
-    """
-    Return on one line how an episode ended, when, how near the robot came to anybody.
-
-    :param recording: the episode.
-    """
+    """Return on one line how an episode ended, when, how near the robot came to anybody."""
     return f'{OUTCOMES[recording.outcome]}, {figures(recording)}'
 
 
 def figures(recording: Recording) -> str:
-    """
-    Return when an episode ended and how near the robot came to anybody.
-
-    :param recording: the episode.
-    """
+    """Return when an episode ended and how near the robot came to anybody."""
     closest = recording.minimum_clearance
     near = f', closest {max(closest, 0.0):.2f} m' if np.isfinite(closest) else ''
     return f'{recording.times[-1]:.2f} s{near}'
 
 
 def clearance(state: CrowdState) -> float:
-    """
-    Return the gap between the robot's rim and the nearest agent's, m, inf without agents.
-
-    :param state: a batch of one.
-    """
+    """Return the gap of rims of robot and nearest agent, batch of one, m, inf without agents."""
     offset = state.agents.position[0] - state.robot.position[0]
     gaps = np.linalg.norm(offset, axis=-1) - state.agents.radius[0] - state.robot.radius[0]
     return float(gaps[state.agents.valid[0]].min(initial=np.inf))
@@ -112,7 +100,6 @@ def state_at(recording: Recording, time: float) -> CrowdState:
     """
     Return the state of a moment between two recorded ones, with the velocities then under way.
 
-    :param recording: at least one state.
     :param time: s; moments before the start or after the end give the first or the last state.
     """
     times = recording.times

@@ -16,11 +16,7 @@ def definitions() -> dict[str, str]:
 
 
 def schema_of(kind: str) -> str:
-    """
-    Return the definition of a message with those of all types in it.
-
-    :param kind: `package/Type`.
-    """
+    """Return the definition of a message, `package/Type`, with those of all types in it."""
     known = definitions()
     wanted = [kind]
     for name in wanted:  # grows while it is read

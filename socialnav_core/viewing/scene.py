@@ -49,9 +49,7 @@ def world_axes(figure: Figure, recording: Recording, column: int = 0, columns: i
     Return axes that show the walls, the obstacles, the start and the goal of an episode.
 
     :param figure: where they go, WIDTH inches for each column and HEIGHT inches high.
-    :param recording: the episode.
     :param column: which of the columns, from 0.
-    :param columns: how many there are.
     """
     left, width = (column + 0.03) / columns, 0.94 / columns
     axes = figure.add_axes((left, 0.025, width, 0.94 * WIDTH / HEIGHT))
@@ -67,11 +65,7 @@ def world_axes(figure: Figure, recording: Recording, column: int = 0, columns: i
 
 
 def view_half_width(recording: Recording) -> float:
-    """
-    Return half the side of the square around the origin that shows the whole episode, m.
-
-    :param recording: the episode.
-    """
+    """Return half the side of the square around the origin that shows the whole episode, m."""
     start = recording.states[0]
     bounds = float(start.bounds[0])
     if np.isfinite(bounds):
@@ -82,21 +76,13 @@ def view_half_width(recording: Recording) -> float:
 
 
 def walkers(recording: Recording) -> np.ndarray:
-    """
-    Return which agents are pedestrians, bool, (agents,).
-
-    :param recording: the episode.
-    """
+    """Return which agents are pedestrians, bool, (agents,)."""
     start = recording.states[0]
     return start.agents.valid[0] & ~start.agents.static[0]
 
 
 def crash_ring(recording: Recording) -> Circle:
-    """
-    Return a ring around the robot's last position, invisible where it arrived.
-
-    :param recording: the episode.
-    """
+    """Return a ring around the robot's last position, invisible where it arrived."""
     radius = 1.9 * float(recording.states[-1].robot.radius[0])
     x, y = recording.robot_path[-1]
     colour = OUTCOME_COLOURS[recording.outcome]
@@ -126,13 +112,7 @@ class Header:
         self.detail = self._write(1.0, 1.016, '', fontsize=9.5, color=FAINT_INK, ha='right')
 
     def show(self, title: str, colour: str, detail: str) -> None:
-        """
-        Set the two lines on the right.
-
-        :param title: upper line.
-        :param colour: of the upper line.
-        :param detail: lower line.
-        """
+        """Set the two lines on the right: a coloured title and a detail below it."""
         self.title.set_text(title)
         self.title.set_color(colour)
         self.detail.set_text(detail)

@@ -32,11 +32,7 @@ class Checkpoint(NamedTuple):
 
 
 def build_network(config: PolicyConfig) -> nn.Module:
-    """
-    Return the value network of a policy with fresh weights, drawn from torch's global generator.
-
-    :param config: names the network.
-    """
+    """Return the value network of a policy, drawn from torch's global generator."""
     if config.network == 'sarl':
         return SarlValueNetwork()
     return Gat4snValueNetwork(config.heads, ATTENTION_SCORES[config.network])
@@ -47,8 +43,6 @@ def save_weights(folder: Path, network: nn.Module, config: Config) -> None:
     Write weights and config; each file is replaced at once or not at all.
 
     :param folder: made if needed.
-    :param network: whose parameters are written.
-    :param config: complete settings of the run.
     """
     folder.mkdir(parents=True, exist_ok=True)
     text = to_yaml(config).encode()
@@ -97,7 +91,6 @@ def read_config(path: Path, metadata: dict[str, str]) -> Config:
     """
     Return the config of a checkpoint, unaltered since the weights were written.
 
-    :param path: of the YAML file.
     :param metadata: of the weights.
     :raises CheckpointError: when it is missing, altered or holds no config.
     """
@@ -117,7 +110,6 @@ def read_tensors(path: Path) -> tuple[dict[str, torch.Tensor], dict[str, str]]:
     """
     Return the tensors and the metadata of a safetensors file.
 
-    :param path: of the file.
     :raises CheckpointError: when it is missing or no complete safetensors file.
     """
     try:
@@ -133,18 +125,13 @@ def checkpoint_digest(folder: Path) -> str:
     """
     Return the digest of the weights of a checkpoint, hexadecimal.
 
-    :param folder: of the checkpoint.
     :raises CheckpointError: when the weights cannot be read.
     """
     return tensors_digest(read_tensors(folder / WEIGHTS)[0])
 
 
 def tensors_digest(tensors: dict[str, torch.Tensor]) -> str:
-    """
-    Return the SHA-256 of names, types, shapes and values, hexadecimal.
-
-    :param tensors: by name.
-    """
+    """Return the SHA-256 of names, types, shapes and values, hexadecimal."""
     digest = hashlib.sha256()
     for name in sorted(tensors):
         value = tensors[name]

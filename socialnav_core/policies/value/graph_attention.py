@@ -51,9 +51,7 @@ class GraphAttention(nn.Module):
         """
         Create the layer with Xavier-uniform parameters.
 
-        :param input_size: length of an input row.
         :param output_size: length of an output row of one head.
-        :param heads: number of attention heads.
         :param score: 'gat', 'linear' or 'gatv2'.
         :raises ValueError: when heads or score is none of these.
         """

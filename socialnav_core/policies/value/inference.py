@@ -66,11 +66,7 @@ class ValueInference:
 
     @chosen_threads()
     def attention(self, seen: Observation) -> np.ndarray:
-        """
-        Return the attention weights of each row, float32 (rows, agents).
-
-        :param seen: observation of as many worlds.
-        """
+        """Return the attention weights of each row, float32 (rows, agents)."""
         with torch.inference_mode():
             device = device_of(self.network)
             arrays = (torch.from_numpy(a).to(device) for a in (seen.robot, seen.others, seen.mask))
@@ -78,11 +74,7 @@ class ValueInference:
 
 
 def device_of(network: nn.Module) -> torch.device:
-    """
-    Return where the parameters of a network are.
-
-    :param network: with at least one parameter.
-    """
+    """Return where the parameters of a network are."""
     return next(network.parameters()).device
 
 
@@ -91,9 +83,6 @@ def chunks(rows: int, bfloat16: bool) -> list[slice]:
     Return slices that cover all rows; for bfloat16 they have few different lengths.
 
     For that the last one reaches back over rows that are computed already.
-
-    :param rows: number of rows.
-    :param bfloat16: whether products will be in bfloat16.
     """
     size, step = (BFLOAT16_CHUNK, SHAPE_STEP) if bfloat16 else (FLOAT32_CHUNK, 1)
     slices = []

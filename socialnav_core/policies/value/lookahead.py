@@ -49,7 +49,6 @@ class ValuePolicy:
         Combine a network with an action set.
 
         :param network: a value network; it may be trained between two decisions.
-        :param config: action set, prediction, reward, screening.
         :param bfloat16: whether large batches are computed in bfloat16.
         """
         self.network = network

@@ -34,14 +34,11 @@ def safe_actions(
     either, all are. A robot of limited acceleration escapes by changing from the action towards
     one of the wanted commands.
 
-    :param state: the worlds as they are.
     :param commands: candidate commands, (batch, actions, 2).
     :param agent_velocity: predicted velocities, m/s, (batch, agents, 2).
     :param time_step: how long an action lasts, s.
-    :param config: horizon and margins.
     :param deviation: standard deviation of the predicted positions, m, (batch, agents); where it
         is zero, pedestrians need no margin of their own.
-    :param limits: of the robot; None for none.
     :param wanted: commands to escape towards where acceleration is limited, (batch, actions, 2);
         the candidates where it is None.
     """
@@ -90,7 +87,6 @@ def motions(
     :param commands: what they change to, (batch, motions, 2).
     :param limits: how fast that goes; None for at once.
     :param duration: of a piece, s.
-    :param pieces: how many there are.
     """
     for _ in range(pieces):
         motion = commands
@@ -110,9 +106,7 @@ def distances_to_keep(
 
     A pedestrian who is within its margin already must not come nearer, but may go away.
 
-    :param state: tells obstacles from pedestrians.
     :param agent_velocity: predicted velocities, m/s, (batch, agents, 2).
-    :param config: the margins.
     :param deviation: of the predicted positions, m, (batch, agents).
     """
     least = state.robot.radius[:, None] + state.agents.radius + config.margin
@@ -136,12 +130,10 @@ def is_free(
     """
     Return whether straight motions of the robot touch nobody and no wall, bool (batch, motions).
 
-    :param state: masks, walls and the robot's radius.
     :param start: of the motions, m, (batch, motions, 2).
     :param displacement: m, (batch, motions, 2).
     :param position: of the agents at the start, m, (batch, agents, 2).
     :param agent_velocity: m/s, (batch, agents, 2).
-    :param duration: s.
     :param gaps: distance of centres to keep from each agent, m, (batch, agents).
     """
     free = np.empty(displacement.shape[:2], bool)

@@ -51,5 +51,6 @@ def place(outputs, people, frames, velocity, times, positions, deviations):  # t
                 x * sine + y * cosine + velocity[world, agent, 1] * time
             )
             grown = spread[first] + share * (spread[first + 1] - spread[first])
+            # extrapolated, a deviation that shrinks could fall below zero
             least = max(min(spread[first], spread[first + 1]), LEAST_DEVIATION)
             deviations[world, index, agent] = max(grown, least)

@@ -39,7 +39,6 @@ def renew_goals(episodes: Episodes) -> None:
     """
     Give another goal, on a circle, to every pedestrian within its radius of its goal.
 
-    :param episodes: the worlds; the goals are changed.
     :raises PackingError: when obstacles cover the whole circle of goals.
     """
     agents, scenario = episodes.state.agents, episodes.scenario

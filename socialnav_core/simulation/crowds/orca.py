@@ -50,7 +50,6 @@ def avoid(
 
     :param preferred_velocity: m/s, (batch, at least movers, 2).
     :param speed: preferred and greatest, m/s, (batch, at least movers).
-    :param time_step: s.
     :param worlds: bool (batch,); the others keep what is in `out`.
     :param movers: number of agents that decide.
     :param out: m/s, (batch, at least movers, 2), an array of its own.

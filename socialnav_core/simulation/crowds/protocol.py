@@ -41,7 +41,6 @@ class Crowd(Protocol):
         """
         Give another goal to whoever has arrived; called after steps where scenarios ask for it.
 
-        :param episodes: the worlds; the goals are changed.
         :raises PackingError: when there is no place for a goal.
         """
         ...

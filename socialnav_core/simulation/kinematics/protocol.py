@@ -56,7 +56,6 @@ class Kinematics(Protocol):
         Return what a command does: displacement (..., 2), velocity at its end (..., 2), heading.
 
         :param heading: at the beginning, rad, (...).
-        :param duration: s.
         """
         ...
 

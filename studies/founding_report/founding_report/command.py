@@ -21,11 +21,7 @@ RESULTS = Path(__file__).parents[1] / 'results'
 
 
 def add_parser(commands: Any) -> None:
-    """
-    Add the command.
-
-    :param commands: what `add_subparsers` returned.
-    """
+    """Add the command."""
     summary = 'Train and measure what is missing and write pages: the report beside our figures.'
     parser = add_command(commands, 'reproduce', run, summary, EXAMPLES)
     parser.add_argument(
@@ -61,11 +57,7 @@ def add_parser(commands: Any) -> None:
 
 
 def run(given: argparse.Namespace) -> None:
-    """
-    Run the command.
-
-    :param given: parsed arguments.
-    """
+    """Run the command."""
     from founding_report.experiments import EXPERIMENTS
     from founding_report.laboratory import Laboratory
     from founding_report.shipping import ship
@@ -101,8 +93,6 @@ def provide(experiments: list[Any], laboratory: Any, train: bool) -> None:
     """
     Train and measure what is missing for some experiments.
 
-    :param experiments: some.
-    :param laboratory: that may take records for runs.
     :param train: whether runs may be trained; otherwise all must be.
     """
     for source, some in groups(experiments, laboratory):
@@ -110,12 +100,7 @@ def provide(experiments: list[Any], laboratory: Any, train: bool) -> None:
 
 
 def groups(experiments: list[Any], laboratory: Any) -> list[tuple[Any, list[Any]]]:
-    """
-    Return laboratories and the experiments that each provides for: figures need the very runs.
-
-    :param experiments: some.
-    :param laboratory: that may take records for runs.
-    """
+    """Return laboratories and the experiments each provides for: figures need the very runs."""
     from founding_report.experiments import FIGURES
 
     tables = [each for each in experiments if each.layout not in FIGURES]
@@ -124,11 +109,7 @@ def groups(experiments: list[Any], laboratory: Any) -> list[tuple[Any, list[Any]
 
 
 def longest(experiments: list[Any]) -> list[Any]:
-    """
-    Return the rows of some experiments, each with the most seeds that it has in any.
-
-    :param experiments: some.
-    """
+    """Return the rows of some experiments, each with the most seeds that it has in any."""
     entries: dict[str, Any] = {}
     for entry in (entry for experiment in experiments for entry in experiment.entries):
         known = entries.setdefault(entry.row.name, entry)
@@ -137,12 +118,7 @@ def longest(experiments: list[Any]) -> list[Any]:
 
 
 def command_of(name: str, given: argparse.Namespace) -> str:
-    """
-    Return the command that makes a page again.
-
-    :param name: of the table or figure.
-    :param given: parsed arguments.
-    """
+    """Return the command that makes a page again."""
     options = ['--quick'] if given.quick else []
     options += [f'--seeds {given.seeds}'] if given.seeds else []
     options += [f'--device {given.device}'] if given.device != 'cpu' else []
@@ -150,9 +126,5 @@ def command_of(name: str, given: argparse.Namespace) -> str:
 
 
 def say(line: str) -> None:
-    """
-    Write a line on stderr at once.
-
-    :param line: the line.
-    """
+    """Write a line on stderr at once."""
     print(line, file=sys.stderr, flush=True)

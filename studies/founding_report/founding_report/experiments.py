@@ -26,11 +26,7 @@ class Entry:
     """Scenarios in which it is tested, where they are not those of the row."""
 
     def cases(self, laboratory: Laboratory) -> tuple[Cases, ...]:
-        """
-        Return the cases that the row is tested in.
-
-        :param laboratory: says how many cases there are.
-        """
+        """Return the cases that the row is tested in."""
         return tuple(
             Cases(scenario, lookahead, episodes=laboratory.episodes, unfolded=self.row.unfolded)
             for scenario in self.tests or self.row.tests
@@ -38,11 +34,7 @@ class Entry:
         )
 
     def requests(self, laboratory: Laboratory) -> Iterator[Request]:
-        """
-        Yield what must be trained and measured.
-
-        :param laboratory: says how many cases there are.
-        """
+        """Yield what must be trained and measured."""
         for seed in range(self.seeds):
             yield Request(self.row, seed, self.cases(laboratory))
 
@@ -77,20 +69,14 @@ class Experiment:
         return dataclasses.replace(self, entries=entries)
 
     def requests(self, laboratory: Laboratory) -> list[Request]:
-        """
-        Return what must be trained and measured.
-
-        :param laboratory: says how many cases there are.
-        """
+        """Return what must be trained and measured."""
         return [request for entry in self.entries for request in entry.requests(laboratory)]
 
 
 def entries(seeds: int, *names: str, tests: tuple[str, ...] = ()) -> tuple[Entry, ...]:
     """
-    Return rows of a table or figure.
+    Return rows of a table or figure, each with so many training seeds.
 
-    :param seeds: training seeds of each.
-    :param names: of the rows.
     :param tests: scenarios in which they are tested, where they are not those of the rows.
     """
     return tuple(Entry(ROWS[name], seeds, tests) for name in names)

@@ -36,10 +36,7 @@ def draw_figure(
     """
     Write the picture of a figure; return its page and its values.
 
-    :param experiment: everything of which was trained and measured.
-    :param laboratory: that did so.
     :param results: folder of the picture.
-    :param command: that makes it.
     :param notes: a file of prose that is taken over where it exists.
     """
     find = freezing if experiment.layout == FREEZING else contrast
@@ -72,7 +69,6 @@ def freezing(entries: Sequence[Entry], laboratory: Laboratory) -> list[Found]:
     Return the first different cases in which a row freezes.
 
     :param entries: the row, alone.
-    :param laboratory: that measured it.
     """
     (entry,) = entries
     found: dict[tuple[str, int], Found] = {}
@@ -89,7 +85,6 @@ def contrast(entries: Sequence[Entry], laboratory: Laboratory) -> list[Found]:
     Return the first case in which the first row arrives and the second one freezes.
 
     :param entries: two rows, compared with the same training seed.
-    :param laboratory: that measured them.
     """
     arriving, standing = entries
     seeds = range(min(arriving.seeds, standing.seeds))
@@ -117,11 +112,7 @@ def attention_moments(found: Sequence[Found]) -> list[int]:
 
 
 def shown(found: Sequence[Found]) -> str:
-    """
-    Return what each part of the picture shows, empty where nothing was found.
-
-    :param found: the episodes, from left to right.
-    """
+    """Return what each part of the picture shows, empty where nothing was found."""
     if not found:
         return ''
     head = ['Model', 'Look-ahead', 'Case', 'End', 'Command']
@@ -146,21 +137,13 @@ def shown(found: Sequence[Found]) -> str:
 
 
 def checkpoint_of(found: Found) -> Path:
-    """
-    Return the folder of the weights that drove, where runs are kept if nothing else is said.
-
-    :param found: the case.
-    """
+    """Return the folder of the weights that drove, where runs are kept if nothing else is said."""
     runs = Path('out', 'reproduce', 'runs')
     return found.cases.checkpoint(runs / found.row.run_name / f'seed-{found.seed}')
 
 
 def render_options(found: Found) -> str:
-    """
-    Return the options of `socialnav render` that show a case as a moving picture.
-
-    :param found: the case.
-    """
+    """Return the options of `socialnav render` that show a case as a moving picture."""
     case = found.recording.case_index
     name = f'{found.row.name}-{found.seed}-{found.cases.scenario}-{case}.gif'
     return (
@@ -170,12 +153,7 @@ def render_options(found: Found) -> str:
 
 
 def searched(entries: Sequence[Entry], laboratory: Laboratory) -> str:
-    """
-    Return the section that says how the cases were found and how often time ran out.
-
-    :param entries: rows of the figure.
-    :param laboratory: that measured them.
-    """
+    """Return the section that says how the cases were found and how often time ran out."""
     head = ['Model', 'World', 'Look-ahead', 'Time-outs of each seed']
     lines = []
     for entry in entries:
@@ -194,12 +172,7 @@ def searched(entries: Sequence[Entry], laboratory: Laboratory) -> str:
 
 
 def found_values(found: Found, laboratory: Laboratory) -> dict[str, Any]:
-    """
-    Return which case is shown, fit for JSON.
-
-    :param found: the case.
-    :param laboratory: that trained the run.
-    """
+    """Return which case is shown, fit for JSON."""
     run = laboratory.run(found.row, found.seed)
     return {
         'row': found.row.name,

@@ -37,14 +37,7 @@ class Found:
 def time_outs(
     row: Row, seeds: Iterable[int], cases: Cases, laboratory: Laboratory
 ) -> Iterator[tuple[int, int]]:
-    """
-    Yield training seed and index of the cases in which time ran out, the first cases first.
-
-    :param row: whose runs were measured.
-    :param seeds: training seeds.
-    :param cases: in which they were measured.
-    :param laboratory: that measured them.
-    """
+    """Yield training seed and index of the cases in which time ran out, the first cases first."""
     found = [
         (int(case), seed)
         for seed in seeds
@@ -56,14 +49,7 @@ def time_outs(
 def frozen_cases(
     row: Row, seeds: Iterable[int], cases: Cases, laboratory: Laboratory
 ) -> Iterator[Found]:
-    """
-    Yield cases in which the robot stands still near a large obstacle to the end.
-
-    :param row: whose runs were measured.
-    :param seeds: training seeds.
-    :param cases: in which they were measured.
-    :param laboratory: that measured them.
-    """
+    """Yield cases in which the robot stands still near a large obstacle to the end."""
     for seed, case in time_outs(row, seeds, cases, laboratory):
         found = play(row, seed, cases, case, laboratory)
         if stands_near_obstacle(found.recording):
@@ -71,15 +57,7 @@ def frozen_cases(
 
 
 def play(row: Row, seed: int, cases: Cases, case: int, laboratory: Laboratory) -> Found:
-    """
-    Run a case again and record it.
-
-    :param row: whose run it is.
-    :param seed: of the run.
-    :param cases: the frozen cases that it is one of.
-    :param case: its index.
-    :param laboratory: that trained it.
-    """
+    """Run a case again and record it."""
     folder = cases.checkpoint(laboratory.run(row, seed))
     policy = load_policy(str(folder), lookahead=cases.lookahead, screening=False)
     scenario = make_scenario(cases.scenario)
@@ -88,11 +66,7 @@ def play(row: Row, seed: int, cases: Cases, case: int, laboratory: Laboratory) -
 
 
 def stands_near_obstacle(recording: Recording) -> bool:
-    """
-    Return whether the robot ends its time at rest near a large obstacle.
-
-    :param recording: of an episode.
-    """
+    """Return whether the robot ends its time at rest near a large obstacle."""
     if recording.outcome != 'timeout':
         return False
     since = standing_since(recording)
@@ -105,11 +79,7 @@ def stands_near_obstacle(recording: Recording) -> bool:
 
 
 def standing_since(recording: Recording) -> int:
-    """
-    Return the index of the state from which on the robot stays where it is in the end.
-
-    :param recording: of an episode.
-    """
+    """Return the index of the state from which on the robot stays where it is in the end."""
     path = recording.robot_path
     away = np.linalg.norm(path - path[-1], axis=-1) > STANDING_DISTANCE
     return int(np.flatnonzero(away)[-1]) + 1 if away.any() else 0

@@ -63,7 +63,6 @@ class Processes:
         """
         Run a job and return the seconds that it took; zero where it was not needed.
 
-        :param job: the job.
         :raises JobError: when its process fails.
         """
         if not job.needed():
@@ -142,10 +141,7 @@ def succeeded(
     """
     Return whether a job succeeded, and say so.
 
-    :param future: of its process.
-    :param job: the job.
     :param failures: gets a line when it failed.
-    :param announce: is told in one line what is done.
     """
     try:
         seconds = future.result()
@@ -172,20 +168,11 @@ def terminated_like_interrupted() -> Iterator[None]:
 
 
 def raise_interrupt(number: int, frame: FrameType | None) -> None:
-    """
-    Raise KeyboardInterrupt.
-
-    :param number: of the signal.
-    :param frame: where it arrived.
-    """
+    """Raise KeyboardInterrupt."""
     raise KeyboardInterrupt
 
 
 def last_line(log: Path) -> str:
-    """
-    Return the last line that a process wrote.
-
-    :param log: its log.
-    """
+    """Return the last line that a process wrote into its log."""
     lines = log.read_text(encoding='utf-8', errors='replace').strip().splitlines()
     return lines[-1] if lines else 'it said nothing'

@@ -47,20 +47,13 @@ class Laboratory:
         return QUICK_EPISODES if self.quick else 500
 
     def run(self, row: Row, seed: int) -> Path:
-        """
-        Return the folder of a run.
-
-        :param row: what is trained.
-        :param seed: of the run.
-        """
+        """Return the folder of a run."""
         return self.folder / 'runs' / row.run_name / f'seed-{seed}'
 
     def record(self, row: Row, seed: int) -> Record | None:
         """
         Return the record of a run that is not here, None where there is none.
 
-        :param row: what was trained.
-        :param seed: of the run.
         :raises ConfigError: when it has other settings than the row.
         """
         if self.records is None or runs.is_finished(self.run(row, seed)):
@@ -73,12 +66,7 @@ class Laboratory:
         return record
 
     def training(self, row: Row, seed: int) -> runs.Training:
-        """
-        Return how a run went.
-
-        :param row: what was trained.
-        :param seed: of the run.
-        """
+        """Return how a run went."""
         record = self.record(row, seed)
         return record.training if record else runs.training_of(self.run(row, seed))
 
@@ -102,12 +90,7 @@ class Laboratory:
         run_jobs([self._job(request) for request in missing], self.jobs, self.announce)
 
     def publish(self, request: Request, folder: Path) -> None:
-        """
-        Write the record of a run that is here.
-
-        :param request: the run and what it was measured in.
-        :param folder: of records.
-        """
+        """Write the record of a run that is here into a folder of records."""
         run = self.run(request.row, request.seed)
         if runs.is_finished(run):
             write_record(record_path(folder, request.row, request.seed), run, request.cases)
@@ -118,13 +101,7 @@ class Laboratory:
         return record is not None and record.covers(request.cases)
 
     def measurement(self, row: Row, seed: int, cases: Cases) -> Measurement:
-        """
-        Return a measurement that was provided.
-
-        :param row: what was trained.
-        :param seed: of the run.
-        :param cases: which ones.
-        """
+        """Return a measurement that was provided."""
         record = self.record(row, seed)
         measurement = (
             record.measurement(cases) if record else measurements.load(self.run(row, seed), cases)
@@ -159,11 +136,7 @@ class Laboratory:
 
 
 def merged(requests: Iterable[Request]) -> Sequence[Request]:
-    """
-    Return requests with those of the same run made one, lower seeds first.
-
-    :param requests: in any order.
-    """
+    """Return requests with those of the same run made one, lower seeds first."""
     cases: dict[tuple[str, int], dict[Cases, None]] = {}
     rows: dict[str, Row] = {}
     for request in requests:
@@ -176,11 +149,5 @@ def merged(requests: Iterable[Request]) -> Sequence[Request]:
 
 
 def record_path(folder: Path, row: Row, seed: int) -> Path:
-    """
-    Return the file of a record.
-
-    :param folder: of records.
-    :param row: what was trained.
-    :param seed: of the run.
-    """
+    """Return the file of a record in a folder of records."""
     return folder / f'{row.run_name}-{seed}.json'

@@ -15,7 +15,6 @@ def number(value: float | None, figure: str) -> str:
     """
     Return a number, halves rounded up, a dash for None.
 
-    :param value: the number.
     :param figure: what it is, which says how many digits it has.
     """
     if value is None:
@@ -29,7 +28,6 @@ def estimate_text(estimate: Estimate | None, figure: str, sign: str = '') -> str
     """
     Return a mean with its interval, a dash for None.
 
-    :param estimate: the mean.
     :param figure: what it is, which says how many digits it has.
     :param sign: + where differences get a sign.
     """
@@ -40,9 +38,5 @@ def estimate_text(estimate: Estimate | None, figure: str, sign: str = '') -> str
 
 
 def p_value(value: float) -> str:
-    """
-    Return a probability with two significant digits.
-
-    :param value: 0 to 1.
-    """
+    """Return a probability with two significant digits."""
     return f'{value:.2g}'

@@ -36,19 +36,11 @@ class Cases:
         return f'{self.scenario}-{self.lookahead}{which}{"-unfolded" if self.unfolded else ""}'
 
     def path(self, run: Path) -> Path:
-        """
-        Return the file of a measurement.
-
-        :param run: folder of the run.
-        """
+        """Return the file of a measurement."""
         return run / FOLDER / f'{self.name}.json'
 
     def checkpoint(self, run: Path) -> Path:
-        """
-        Return the folder of the weights that are measured.
-
-        :param run: folder of the run.
-        """
+        """Return the folder of the weights that are measured."""
         return run / UNFOLDED if self.unfolded else run
 
 
@@ -87,12 +79,7 @@ class Measurement:
 
 
 def evaluate_arguments(run: Path, cases: Cases) -> list[str]:
-    """
-    Return the arguments of socialnav that measure a run.
-
-    :param run: folder of the run.
-    :param cases: which ones.
-    """
+    """Return the arguments of socialnav that measure a run."""
     return [
         'evaluate', str(cases.checkpoint(run)), '--scenario', cases.scenario,
         '--episodes', str(cases.episodes), '--seed', '0', '--split', cases.split,
@@ -102,22 +89,12 @@ def evaluate_arguments(run: Path, cases: Cases) -> list[str]:
 
 
 def raw_path(run: Path, cases: Cases) -> Path:
-    """
-    Return the file that `socialnav evaluate` writes before it is kept.
-
-    :param run: folder of the run.
-    :param cases: which ones.
-    """
+    """Return the file that `socialnav evaluate` writes before it is kept."""
     return cases.path(run).with_suffix('.part')
 
 
 def keep(run: Path, cases: Cases) -> None:
-    """
-    Keep what `socialnav evaluate` has written, together with the digest of the weights.
-
-    :param run: folder of the run.
-    :param cases: which ones.
-    """
+    """Keep what `socialnav evaluate` has written, together with the digest of the weights."""
     raw = raw_path(run, cases)
     summary = json.loads(raw.read_text(encoding='utf-8'))
     episodes = summary.pop('cases')
@@ -132,23 +109,13 @@ def keep(run: Path, cases: Cases) -> None:
 
 
 def load(run: Path, cases: Cases) -> Measurement | None:
-    """
-    Return the measurement of a run, None where there is none of its present weights.
-
-    :param run: folder of the run.
-    :param cases: which ones.
-    """
+    """Return the measurement of a run, None where there is none of its present weights."""
     values = values_of(run, cases)
     return None if values is None else from_values(cases, values)
 
 
 def values_of(run: Path, cases: Cases) -> dict[str, Any] | None:
-    """
-    Return the contents of a measurement's file, None where there is none of the present weights.
-
-    :param run: folder of the run.
-    :param cases: which ones.
-    """
+    """Return what a measurement's file holds, None where none is of the present weights."""
     path = cases.path(run)
     if not path.is_file():
         return None
@@ -157,11 +124,6 @@ def values_of(run: Path, cases: Cases) -> dict[str, Any] | None:
 
 
 def from_values(cases: Cases, values: dict[str, Any]) -> Measurement:
-    """
-    Return a measurement from the contents of its file.
-
-    :param cases: which ones.
-    :param values: the contents.
-    """
+    """Return a measurement from the contents of its file."""
     codes = np.array([int(code) for code in values['outcome']], np.int8)
     return Measurement(cases, codes, np.array(values['time']), values['summary'])

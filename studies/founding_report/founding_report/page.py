@@ -34,10 +34,6 @@ def table_page(
     """
     Return the page of a table.
 
-    :param experiment: the table.
-    :param summaries: of all its rows.
-    :param differences: of its pairs.
-    :param laboratory: that measured them.
     :param command: that makes the page.
     :param notes: a file of prose that is taken over where it exists.
     """
@@ -56,13 +52,7 @@ def table_page(
 
 
 def opening(experiment: Experiment, command: str, laboratory: Laboratory) -> str:
-    """
-    Return title, question, conditions and command.
-
-    :param experiment: the table or figure.
-    :param command: that makes the page.
-    :param laboratory: says how many cases there are.
-    """
+    """Return title, question, conditions and command."""
     smoke = '\n\nThis is a smoke run: nothing was learned.' if laboratory.quick else ''
     return (
         f'# {experiment.title}\n\n{experiment.question}\n\n'
@@ -75,12 +65,7 @@ def opening(experiment: Experiment, command: str, laboratory: Laboratory) -> str
 
 
 def comparison(experiment: Experiment, summaries: Sequence[Summary]) -> tuple[str, str]:
-    """
-    Return the sections that set the report's figures beside ours and judge each of them.
-
-    :param experiment: the table.
-    :param summaries: of all its rows.
-    """
+    """Return the sections that set the report's figures beside ours and judge each of them."""
     return (
         f"## The report's figures and ours\n\n{report_table(experiment, summaries)}",
         '## Verdicts\n\nOur mean over the training seeds against the figure of the report; its '
@@ -89,22 +74,14 @@ def comparison(experiment: Experiment, summaries: Sequence[Summary]) -> tuple[st
 
 
 def interpretation(notes: Path) -> str:
-    """
-    Return the prose that people wrote about the results, empty where there is none.
-
-    :param notes: its file.
-    """
+    """Return the prose that people wrote about the results, empty where there is none."""
     if not notes.is_file():
         return ''
     return f'## Interpretation\n\n{notes.read_text(encoding="utf-8").strip()}'
 
 
 def intervals(summaries: Sequence[Summary]) -> str:
-    """
-    Return the section with the means over seeds and their intervals.
-
-    :param summaries: of all rows.
-    """
+    """Return the section with the means over seeds and their intervals."""
     head = [
         'Model',
         'World',
@@ -128,11 +105,7 @@ def intervals(summaries: Sequence[Summary]) -> str:
 
 
 def paired(differences: Sequence[PairedDifference]) -> str:
-    """
-    Return the section with the differences on the same cases.
-
-    :param differences: of pairs of rows.
-    """
+    """Return the section with the differences on the same cases."""
     if not differences:
         return ''
     head = ['First', 'Second', 'World', 'Look-ahead', 'Seeds', 'Success, first - second',
@@ -163,7 +136,6 @@ def seeds_won(difference: PairedDifference, level: float = math.inf) -> str:
     """
     Return in how many seeds the first solved more cases than the second, and fewer.
 
-    :param difference: of two rows.
     :param level: only seeds count whose adjusted p-value is smaller.
     """
     pairs = zip(difference.tests, difference.adjusted, strict=True)
@@ -174,11 +146,7 @@ def seeds_won(difference: PairedDifference, level: float = math.inf) -> str:
 
 
 def every_seed(summaries: Sequence[Summary]) -> str:
-    """
-    Return the section with the figures of each seed.
-
-    :param summaries: of all rows.
-    """
+    """Return the section with the figures of each seed."""
     head = ['Model', 'World', 'Look-ahead', 'Seed', *FIGURE_COLUMNS]
     lines = []
     for each in summaries:
@@ -194,12 +162,7 @@ def every_seed(summaries: Sequence[Summary]) -> str:
 
 
 def training(experiment: Experiment, laboratory: Laboratory) -> str:
-    """
-    Return the section that says how the rows were trained and how long it took.
-
-    :param experiment: the table or figure.
-    :param laboratory: that trained them.
-    """
+    """Return the section that says how the rows were trained and how long it took."""
     head = [
         'Model',
         'Run',
@@ -231,11 +194,7 @@ def training(experiment: Experiment, laboratory: Laboratory) -> str:
 
 
 def machines(trained: Sequence[runs.Training]) -> str:
-    """
-    Return where runs were trained.
-
-    :param trained: how they went.
-    """
+    """Return where runs were trained."""
     found = {
         f'{values["device"]} ({values["name"]}, {values["jobs"]} runs side by side, torch '
         f'{values["torch"]})'
@@ -249,7 +208,6 @@ def span(values: Sequence[float], digits: int) -> str:
     """
     Return the least and the greatest value, or the only one.
 
-    :param values: at least one.
     :param digits: after the point.
     """
     low, high = f'{min(values):,.{digits}f}', f'{max(values):,.{digits}f}'

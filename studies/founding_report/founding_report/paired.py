@@ -59,7 +59,6 @@ def paired_differences(
     """
     Return the differences of pairs of rows in all scenarios that both are tested in.
 
-    :param summaries: of all rows.
     :param pairs: names of rows, the second one subtracted from the first.
     """
     by_name = {each.key: each for each in summaries}
@@ -78,12 +77,7 @@ def paired_differences(
 
 
 def paired_difference(first: Summary, second: Summary) -> PairedDifference:
-    """
-    Return the difference of two rows over the seeds that both have.
-
-    :param first: of one row.
-    :param second: of the other row, in the same cases.
-    """
+    """Return the difference of two rows in the same cases over the seeds that both have."""
     count = min(len(first.seeds), len(second.seeds))
     one, other = (each.values('success')[:count] for each in (first, second))
     times = first.values('time')[:count] - second.values('time')[:count]

@@ -34,19 +34,11 @@ class Record:
     """Contents of the files of measurements, by the names of the cases."""
 
     def covers(self, wanted: tuple[Cases, ...]) -> bool:
-        """
-        Return whether the run was measured in all of some cases.
-
-        :param wanted: which ones.
-        """
+        """Return whether the run was measured in all of some cases."""
         return all(cases.name in self.measured for cases in wanted)
 
     def measurement(self, cases: Cases) -> Measurement | None:
-        """
-        Return a measurement, None where there is none.
-
-        :param cases: which ones.
-        """
+        """Return a measurement, None where there is none."""
         values = self.measured.get(cases.name)
         return None if values is None else measurements.from_values(cases, values)
 
@@ -55,8 +47,6 @@ def write_record(path: Path, run: Path, wanted: tuple[Cases, ...]) -> None:
     """
     Write the record of a run; what an earlier one of the same weights has more of is kept.
 
-    :param path: file of the record.
-    :param run: folder of the run.
     :param wanted: cases that it was measured in.
     """
     training = runs.training_of(run)
@@ -79,7 +69,6 @@ def load_record(path: Path) -> Record:
     """
     Return the record of a run.
 
-    :param path: its file.
     :raises ConfigError: when the file holds no record.
     """
     try:

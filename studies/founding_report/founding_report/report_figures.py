@@ -56,10 +56,5 @@ SAME_SYSTEM = {
 
 
 def reported(row: str, scenario: str) -> ReportFigures | None:
-    """
-    Return the report's figures of a row in a scenario, None where it has none.
-
-    :param row: its name.
-    :param scenario: its name.
-    """
+    """Return the report's figures of a row in a scenario, None where it has none."""
     return REPORT.get((SAME_SYSTEM.get(row, row), scenario))

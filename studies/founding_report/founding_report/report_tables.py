@@ -21,30 +21,17 @@ NAMES = {
 
 
 def report_has_any(summaries: Sequence[Summary]) -> bool:
-    """
-    Return whether the report has a figure for any of the rows.
-
-    :param summaries: of all rows.
-    """
+    """Return whether the report has a figure for any of the rows."""
     return any(reported(row.name, scenario) for row, scenario in rows_and_scenarios(summaries))
 
 
 def report_table(experiment: Experiment, summaries: Sequence[Summary]) -> str:
-    """
-    Return a table in the layout of the report.
-
-    :param experiment: says which layout.
-    :param summaries: of all rows.
-    """
+    """Return a table in the layout of the report."""
     return (by_column if experiment.layout == COLUMNS else by_line)(summaries)
 
 
 def by_column(summaries: Sequence[Summary]) -> str:
-    """
-    Return a table with a column for each row, as table II has it.
-
-    :param summaries: of all rows.
-    """
+    """Return a table with a column for each row, as table II has it."""
     rows = {summary.row.name: summary.row for summary in summaries}
     head = ['', '', *(row.label for row in rows.values())]
     lines = [
@@ -65,11 +52,7 @@ def by_column(summaries: Sequence[Summary]) -> str:
 
 
 def by_line(summaries: Sequence[Summary]) -> str:
-    """
-    Return a table with a line for each row and scenario, as tables I and III have it.
-
-    :param summaries: of all rows.
-    """
+    """Return a table with a line for each row and scenario, as tables I and III have it."""
     head = ['Model', 'World']
     for figure in REPORTED:
         head += [f'{NAMES[figure]}: report', 'oracle', 'constant velocity']
@@ -86,11 +69,7 @@ def by_line(summaries: Sequence[Summary]) -> str:
 
 
 def verdict_table(summaries: Sequence[Summary]) -> str:
-    """
-    Return every figure of the report with what ours is to it.
-
-    :param summaries: of all rows.
-    """
+    """Return every figure of the report with what ours is to it."""
     head = ['Model', 'World', 'Figure', 'Report', *(LOOKAHEAD_LABELS[each] for each in LOOKAHEADS)]
     lines = []
     for row, scenario in rows_and_scenarios(summaries):
@@ -111,8 +90,6 @@ def verdict(theirs: float, ours: Summary, figure: str) -> str:
     """
     Return what our figure is to the report's.
 
-    :param theirs: figure of the report.
-    :param ours: our measurements.
     :param figure: success, collision or time.
     """
     if figure == 'time':
@@ -125,8 +102,6 @@ def report_figure(row: str, scenario: str, figure: str) -> float | None:
     """
     Return a figure of the report, None where it has none.
 
-    :param row: name of the row.
-    :param scenario: name of the scenario.
     :param figure: success, collision or time.
     """
     figures = reported(row, scenario)
@@ -134,24 +109,13 @@ def report_figure(row: str, scenario: str, figure: str) -> float | None:
 
 
 def parameters(row: Row) -> int:
-    """
-    Return the number of parameters of a row's network.
-
-    :param row: any.
-    """
+    """Return the number of parameters of a row's network."""
     network = build_network(row.resolved(0, quick=False).policy)
     return sum(parameter.numel() for parameter in network.parameters())
 
 
 def find(summaries: Sequence[Summary], row: str, scenario: str, lookahead: str) -> Summary:
-    """
-    Return the figures of one row in one scenario with one look-ahead.
-
-    :param summaries: of all rows.
-    :param row: its name.
-    :param scenario: its name.
-    :param lookahead: its name.
-    """
+    """Return the figures of one row in one scenario with one look-ahead."""
     wanted = (row, scenario, lookahead)
     return next(
         each for each in summaries if (each.row.name, each.scenario, each.lookahead) == wanted
@@ -159,20 +123,12 @@ def find(summaries: Sequence[Summary], row: str, scenario: str, lookahead: str) 
 
 
 def rows_and_scenarios(summaries: Sequence[Summary]) -> list[tuple[Row, str]]:
-    """
-    Return rows and scenarios in the order of the table, rows of one world next to each other.
-
-    :param summaries: of all rows.
-    """
+    """Return rows and scenarios in the order of the table, rows of one world side by side."""
     scenarios = unique(summary.scenario for summary in summaries)
     pairs = {(s.row.name, s.scenario): (s.row, s.scenario) for s in summaries}
     return sorted(pairs.values(), key=lambda pair: scenarios.index(pair[1]))
 
 
 def unique(values: Iterable[str]) -> list[str]:
-    """
-    Return values without repetitions, in the order of their first appearance.
-
-    :param values: any.
-    """
+    """Return values without repetitions, in the order of their first appearance."""
     return list(dict.fromkeys(values))

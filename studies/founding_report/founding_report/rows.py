@@ -64,7 +64,6 @@ class Row:
         """
         Return the complete configuration of a run.
 
-        :param seed: of the run.
         :param quick: whether to train for seconds only.
         """
         return read_config(self.config, self.assignments(quick) | {'seed': seed})

@@ -40,20 +40,12 @@ class Training:
 
 
 def training_of(folder: Path) -> Training:
-    """
-    Return how a finished run went.
-
-    :param folder: of the run.
-    """
+    """Return how a finished run went."""
     return Training(checkpoint_digest(folder), last_row(folder / CSV_NAME), machine_of(folder))
 
 
 def is_finished(folder: Path) -> bool:
-    """
-    Return whether a run is trained.
-
-    :param folder: of the run.
-    """
+    """Return whether a run is trained."""
     complete = all((folder / name).is_file() for name in (WEIGHTS, CARD_NAME))
     return complete and not (folder / STATE_NAME).exists()
 
@@ -62,8 +54,6 @@ def train_arguments(row: Row, seed: int, folder: Path, quick: bool, device: str)
     """
     Return the arguments of socialnav that train a run or go on with it.
 
-    :param row: what is trained.
-    :param seed: of the run.
     :param folder: of the run; what is left in it of a run that saved nothing is removed.
     :param quick: whether to train for seconds only.
     :param device: cpu or cuda.
@@ -94,10 +84,6 @@ def require_same_settings(row: Row, seed: int, found: Config, quick: bool, where
     """
     Raise a ConfigError when a run has other settings than its row has now.
 
-    :param row: what should have been trained.
-    :param seed: of the run.
-    :param found: settings that it was trained with.
-    :param quick: whether it was trained for seconds only.
     :param where: its folder or record.
     """
     settings = flatten(to_mapping(found))
@@ -113,8 +99,6 @@ def note_machine(folder: Path, device: str, jobs: int) -> None:
     """
     Write beside a run where it was trained.
 
-    :param folder: of the run.
-    :param device: cpu or cuda.
     :param jobs: processes side by side.
     """
     name = torch.cuda.get_device_name() if device == 'cuda' else platform.machine()
@@ -126,10 +110,6 @@ def note_machine(folder: Path, device: str, jobs: int) -> None:
 
 
 def machine_of(folder: Path) -> dict[str, Any]:
-    """
-    Return where a run was trained, empty where that was not noted.
-
-    :param folder: of the run.
-    """
+    """Return where a run was trained, empty where that was not noted."""
     path = folder / MACHINE
     return yaml.safe_load(path.read_text(encoding='utf-8')) if path.is_file() else {}

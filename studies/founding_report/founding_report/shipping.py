@@ -39,9 +39,7 @@ def ship(
     """
     Put the best seed of each shipped row into models/; return a line about each.
 
-    :param entries: rows whose seeds are trained.
     :param laboratory: that trains them; without records, which have no weights.
-    :param models: folder of the models.
     :param records: folder of records, which get the measurements behind the choice.
     :param train: whether runs may be trained; otherwise all must be.
     :raises ConfigError: when a run has other settings than its row, or may not be trained.
@@ -66,14 +64,7 @@ def ship(
 
 
 def is_there(entry: Entry, seed: int, laboratory: Laboratory, models: Path) -> bool:
-    """
-    Return whether models/ has the weights of a run and all results that its card needs.
-
-    :param entry: of its row.
-    :param seed: of the run.
-    :param laboratory: that trained it.
-    :param models: folder of the models.
-    """
+    """Return whether models/ has the weights of a run and all results that its card needs."""
     folder = models / entry.row.name
     results = list(read_metrics(folder).values())
     complete = all(is_among(cases, results) for cases in card_cases(entry))
@@ -84,7 +75,6 @@ def is_among(cases: Cases, results: Sequence[dict[str, Any]]) -> bool:
     """
     Return whether one of some results is of these cases, or of more of the same kind.
 
-    :param cases: which ones.
     :param results: as in metrics.json.
     """
     kind = (make_scenario(cases.scenario).name, cases.lookahead, cases.split, 0, False)
@@ -96,30 +86,17 @@ def is_among(cases: Cases, results: Sequence[dict[str, Any]]) -> bool:
 
 
 def has_weights(folder: Path, run: Path) -> bool:
-    """
-    Return whether a model has the weights of a run.
-
-    :param folder: of the model.
-    :param run: folder of the run.
-    """
+    """Return whether a model has the weights of a run."""
     return (folder / WEIGHTS).is_file() and checkpoint_digest(folder) == checkpoint_digest(run)
 
 
 def choice_cases(entry: Entry) -> Cases:
-    """
-    Return the cases by which the seed is chosen.
-
-    :param entry: of the row.
-    """
+    """Return the cases by which the seed is chosen."""
     return Cases(entry.row.tests[-1], LOOKAHEAD, 'validation', CHOICE_EPISODES)
 
 
 def card_cases(entry: Entry) -> tuple[Cases, ...]:
-    """
-    Return the cases that the model card tells of.
-
-    :param entry: of the row.
-    """
+    """Return the cases that the model card tells of."""
     lookaheads = (LOOKAHEAD, 'oracle') if entry.row.name in ORACLE_TOO else (LOOKAHEAD,)
     return tuple(
         Cases(test, lookahead, episodes=CARD_EPISODES)
@@ -129,12 +106,7 @@ def card_cases(entry: Entry) -> tuple[Cases, ...]:
 
 
 def best_seed(entry: Entry, laboratory: Laboratory) -> int:
-    """
-    Return the seed with most successes on validation; among equals the faster one.
-
-    :param entry: of the row.
-    :param laboratory: that measured them.
-    """
+    """Return the seed with most successes on validation; among equals the faster one."""
 
     def merit(seed: int) -> tuple[int, float]:
         found = laboratory.measurement(entry.row, seed, choice_cases(entry))
@@ -144,11 +116,7 @@ def best_seed(entry: Entry, laboratory: Laboratory) -> int:
 
 
 def mean_time(measurement: Measurement) -> float:
-    """
-    Return the mean time of successes, s; infinite without any.
-
-    :param measurement: of a run.
-    """
+    """Return the mean time of successes, s; infinite without any."""
     times = measurement.time[measurement.success]
     return float(np.mean(times)) if len(times) else float('inf')
 
@@ -158,11 +126,6 @@ def copy_run(entry: Entry, seed: int, laboratory: Laboratory, models: Path) -> s
     Put a run into models/ and return a line about it.
 
     Weights go first and come last: a model that was put there in part has none.
-
-    :param entry: of its row.
-    :param seed: of the run.
-    :param laboratory: that trained it.
-    :param models: folder of the models.
     """
     run, folder = laboratory.run(entry.row, seed), models / entry.row.name
     measured = card_results(entry, seed, laboratory)
@@ -182,13 +145,7 @@ def copy_run(entry: Entry, seed: int, laboratory: Laboratory, models: Path) -> s
 
 
 def card_results(entry: Entry, seed: int, laboratory: Laboratory) -> dict[str, dict[str, Any]]:
-    """
-    Return what the model card tells of a run, by the keys of metrics.json.
-
-    :param entry: of its row.
-    :param seed: of the run.
-    :param laboratory: that measured it.
-    """
+    """Return what the model card tells of a run, by the keys of metrics.json."""
     config = entry.row.resolved(seed, quick=False)
     results = (
         laboratory.measurement(entry.row, seed, cases).summary for cases in card_cases(entry)

@@ -67,34 +67,18 @@ class Summary:
 
 
 def seed_interval(measurement: Measurement) -> tuple[float, float]:
-    """
-    Return Wilson's interval of the success rate of one seed.
-
-    :param measurement: of the seed.
-    """
+    """Return Wilson's interval of the success rate of one seed."""
     low, high = measurement.summary['success_interval']
     return low, high
 
 
 def summarise(entry: Entry, laboratory: Laboratory) -> list[Summary]:
-    """
-    Return the figures of a row in every scenario that it is tested in, look-aheads together.
-
-    :param entry: all of whose seeds were measured.
-    :param laboratory: that measured them.
-    """
+    """Return the figures of a row in every scenario that it is tested in, look-aheads together."""
     seeds = tuple(range(entry.seeds))
     return [summary_of(entry.row, cases, seeds, laboratory) for cases in entry.cases(laboratory)]
 
 
 def summary_of(row: Row, cases: Cases, seeds: tuple[int, ...], laboratory: Laboratory) -> Summary:
-    """
-    Return the figures of a row in some cases.
-
-    :param row: whose seeds were measured.
-    :param cases: which ones.
-    :param seeds: training seeds.
-    :param laboratory: that measured them.
-    """
+    """Return the figures of a row in some cases."""
     found = tuple(laboratory.measurement(row, seed, cases) for seed in seeds)
     return Summary(row, cases.scenario, cases.lookahead, seeds, found)

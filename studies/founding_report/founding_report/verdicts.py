@@ -27,7 +27,6 @@ def time_verdict(reported: float, ours: float | None) -> str:
     """
     Return how much faster a mean time is than the report's, which has no interval.
 
-    :param reported: s.
     :param ours: our mean over the successes of all seeds, s; None without successes.
     """
     if ours is None:
@@ -36,9 +35,5 @@ def time_verdict(reported: float, ours: float | None) -> str:
 
 
 def reported_interval(reported: float) -> tuple[float, float]:
-    """
-    Return Wilson's interval of a rate of the report.
-
-    :param reported: rate over the report's 500 cases.
-    """
+    """Return Wilson's interval of a rate over the report's 500 cases."""
     return wilson_interval(round(reported * CASES), CASES)

@@ -24,10 +24,7 @@ def write_results(
     """
     Write the page of a table or figure and return its file.
 
-    :param experiment: everything of which was trained and measured.
-    :param laboratory: that did so.
     :param results: folder of the pages.
-    :param command: that makes the page.
     """
     results.mkdir(parents=True, exist_ok=True)
     notes = results / 'notes' / f'{experiment.name}.md'
@@ -56,15 +53,7 @@ def table_values(
     laboratory: Laboratory,
     command: str,
 ) -> dict[str, Any]:
-    """
-    Return all figures of a table as plain values, fit for JSON.
-
-    :param experiment: the table.
-    :param summaries: of all its rows.
-    :param differences: of its pairs.
-    :param laboratory: that measured them.
-    :param command: that makes them.
-    """
+    """Return all figures of a table as plain values, fit for JSON."""
     return {
         'name': experiment.name,
         'command': command,
@@ -82,11 +71,7 @@ def table_values(
 
 
 def summary_values(summary: Summary) -> dict[str, Any]:
-    """
-    Return the figures of a row in a scenario, the report's beside ours.
-
-    :param summary: of the row.
-    """
+    """Return the figures of a row in a scenario, the report's beside ours."""
     theirs = reported(summary.row.name, summary.scenario)
     estimates = {figure: summary.estimate(figure) for figure in FIGURES}
     return {
@@ -105,13 +90,7 @@ def summary_values(summary: Summary) -> dict[str, Any]:
 
 
 def training_values(row: Row, seed: int, training: Training) -> dict[str, Any]:
-    """
-    Return how a run was trained.
-
-    :param row: what was trained.
-    :param seed: of the run.
-    :param training: how it went.
-    """
+    """Return how a run was trained."""
     last = training.progress
     return {
         'row': row.name,
