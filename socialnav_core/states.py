@@ -1,6 +1,6 @@
 """The data that every part shares: the world as it is, and what a network sees of it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 import dataclasses
 from typing import Any, TypeVar
 
@@ -137,6 +137,24 @@ class Observation:
     """[px, py, vx, vy, radius, distance, sum of radii] of each agent, (..., agents, 7)."""
     mask: np.ndarray
     """Whether an agent is real, bool, (..., agents)."""
+
+    def select(self, rows: np.ndarray) -> 'Observation':
+        """Return some observations of a batch, by indices or a mask along the batch axis."""
+        return mapped(lambda array: array[rows], self)
+
+    @staticmethod
+    def concatenate(batches: 'Sequence[Observation]') -> 'Observation':
+        """Return batches with the same number of agents one after the other."""
+        return mapped(lambda *arrays: np.concatenate(arrays), *batches)
+
+    @staticmethod
+    def empty(agents: int) -> 'Observation':
+        """Return a batch of none, with slots for so many agents, padding included."""
+        return Observation(
+            np.zeros((0, 6), np.float32),
+            np.zeros((0, agents, 7), np.float32),
+            np.zeros((0, agents), bool),
+        )
 
 
 def mapped(function: Callable[..., np.ndarray], first: Arrays, *others: Arrays) -> Arrays:

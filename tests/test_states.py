@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from socialnav_core.policies import observe
 from socialnav_core.simulation import make_scenario, Simulator
-from socialnav_core.states import CrowdState
+from socialnav_core.states import CrowdState, Observation
 
 
 def crowd(*places, radius=0.3):
@@ -59,3 +60,14 @@ def test_a_copy_shares_no_memory():
     state = Simulator(make_scenario('hard'), 2).reset(seed=2)
     for name, array in state.copy().arrays().items():
         assert not np.shares_memory(array, state.arrays()[name])
+
+
+def test_observations_joined_and_selected_are_the_ones_they_came_from():
+    state = Simulator(make_scenario('hard'), 3).reset(seed=2)
+    seen = observe(state)
+    nobody = Observation.empty(state.agents.count)
+    again = Observation.concatenate([nobody, seen, seen]).select(np.arange(6) >= 3)
+    for name, array in vars(seen).items():
+        found = getattr(again, name)
+        assert found.dtype == array.dtype
+        np.testing.assert_array_equal(found, array)

@@ -21,7 +21,8 @@ from socialnav_core.config import read_config
 from socialnav_core.policies import load_policy, ValuePolicy
 from socialnav_core.simulation import make_scenario, Simulator
 from socialnav_core.training.run import Run
-from socialnav_core.training.value_learning import begin, iterate
+from socialnav_core.training.value_learning import iterate
+from socialnav_core.training.warm_up import begin
 
 MODELS = ('sarl', 'gat4sn')
 WORLDS = (128, 1024, 4096, 16384)

@@ -7,7 +7,8 @@ import time
 from socialnav_core.benchmarking.measurement import Measurement
 from socialnav_core.config import Config, read_config
 from socialnav_core.training.run import Run
-from socialnav_core.training.value_learning import begin, iterate
+from socialnav_core.training.value_learning import iterate
+from socialnav_core.training.warm_up import begin
 
 RECIPES = ('sarl', 'gat4sn')
 DEMONSTRATIONS = 150

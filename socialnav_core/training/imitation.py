@@ -13,7 +13,7 @@ from socialnav_core.policies.value.observation import observe
 from socialnav_core.simulation import Outcome, Simulator
 from socialnav_core.states import Observation
 from socialnav_core.training.optimizers import make_optimizer
-from socialnav_core.training.regression import regress
+from socialnav_core.training.regression import update, value_loss
 from socialnav_core.training.schedules import exponential
 from socialnav_core.training.targets import discounted_returns
 
@@ -35,9 +35,7 @@ class Demonstrations:
 
         :param rows: indices or a mask.
         """
-        seen = self.observation
-        chosen = Observation(seen.robot[rows], seen.others[rows], seen.mask[rows])
-        return chosen, self.returns[rows]
+        return self.observation.select(rows), self.returns[rows]
 
 
 def collect_demonstrations(
@@ -92,11 +90,7 @@ def demonstrations(steps: list[tuple], outcome: np.ndarray, discount: float) -> 
     seen, reward, ended, case, active = zip(*steps, strict=True)
     returns = discounted_returns(np.stack(reward), np.stack(ended), discount)
     kept = np.stack(active) & (outcome[np.stack(case)] != Outcome.TIMEOUT)
-    observation = Observation(
-        np.stack([each.robot for each in seen])[kept],
-        np.stack([each.others for each in seen])[kept],
-        np.stack([each.mask for each in seen])[kept],
-    )
+    observation = Observation.concatenate(seen).select(kept.ravel())
     return Demonstrations(observation, returns[kept].astype(np.float32), outcome)
 
 
@@ -130,9 +124,9 @@ def imitate(
             seen, returns = demonstrations.select(rows)
             arrays = (seen.robot, seen.others, seen.mask, returns)
             batch = tuple(torch.from_numpy(array) for array in arrays)
-            losses.append(
-                regress(network, optimizer, batch, rate, config.gradient_clip, config.bfloat16)
-            )
+            loss = value_loss(network, batch, config.bfloat16)
+            update(network, optimizer, loss, rate, config.gradient_clip)
+            losses.append(loss.item())
         if progress is not None:
             progress(1)
     return float(np.mean(losses)) if losses else float('nan')

@@ -1,16 +1,43 @@
-"""Collection: worlds that run side by side under an exploring policy."""
+"""What worlds that run side by side under an exploring policy bring, and what it is worth."""
 
+from collections.abc import Sequence
 import dataclasses
 
 import numpy as np
 
 from socialnav_core.policies.value.inference import ValueInference
 from socialnav_core.policies.value.lookahead import Decision, ValuePolicy
-from socialnav_core.policies.value.observation import observe
 from socialnav_core.prediction import ConstantVelocity
-from socialnav_core.simulation import Simulator
 from socialnav_core.states import CrowdState, Observation
 from socialnav_core.training.targets import one_step_targets, q_lambda_targets
+
+
+@dataclasses.dataclass
+class Transition:
+    """One step of all worlds."""
+
+    observation: Observation
+    """What the robots saw before it, (worlds, ...)."""
+    best_value: np.ndarray
+    """Q* of that state, (worlds,)."""
+    greedy: np.ndarray
+    """Whether the action was the best one known, (worlds,)."""
+    reward: np.ndarray
+    """Reward received, (worlds,)."""
+    terminated: np.ndarray
+    """Whether it ended the episode for good, (worlds,)."""
+    truncated: np.ndarray
+    """Whether it was the last before the time limit, (worlds,)."""
+    value_at_cut: np.ndarray
+    """Q* of the state at which a truncated episode was cut, (worlds,)."""
+    case_index: np.ndarray
+    """Case of the episode, (worlds,)."""
+    outcome: np.ndarray
+    """Outcome codes, (worlds,)."""
+    time: np.ndarray
+    """Time since the start of the episode, s, (worlds,)."""
+    following: Observation | None
+    """What the robots saw after it, before any restart; only where a frozen network values it."""
 
 
 @dataclasses.dataclass
@@ -29,79 +56,13 @@ class Rollout:
     """Outcome codes of these, (episodes,)."""
     time: np.ndarray
     """Durations of these, s, (episodes,)."""
-    decision: Decision
-    """What the policy would do next, greedily; the first decision of the next rollout."""
-
-
-def collect(
-    simulator: Simulator,
-    policy: ValuePolicy,
-    decision: Decision,
-    steps: int,
-    epsilon: float,
-    trace_decay: float,
-    generator: np.random.Generator,
-    frozen: ValueInference | None = None,
-) -> Rollout:
-    """
-    Run all worlds for some steps, with a random action in a share of them.
-
-    :param simulator: worlds, restarted as their episodes end.
-    :param policy: decides.
-    :param decision: of the policy in the present state.
-    :param steps: number of steps of each world.
-    :param epsilon: share of random actions.
-    :param trace_decay: lambda of the targets.
-    :param generator: source of exploration.
-    :param frozen: network of one-step targets, which replace those of Q(lambda); None for none.
-    """
-    worlds = np.arange(simulator.batch_size)
-    observations, next_observations, flows, ended_episodes = [], [], [], []
-    best_values = [decision.maximum()]
-    for _ in range(steps):
-        observations.append(observe(simulator.state, policy.motion))
-        action = explore(decision, epsilon, generator)
-        command = decision.commands[worlds, action]
-        state, reward, terminated, truncated, info = simulator.step(command)
-        flow = {
-            'reward': reward,
-            'terminated': terminated,
-            'truncated': truncated,
-            'greedy': action == decision.action,
-            'case_index': info['case_index'],
-            'final_value': value_at_cut(policy, info['final_state'], truncated),
-        }
-        flows.append(flow)
-        if frozen:
-            next_observations.append(observe(info['final_state'], policy.motion))
-        ended = terminated | truncated
-        ended_episodes.append([info[name][ended] for name in ('case_index', 'outcome', 'time')])
-        policy.reset(ended)
-        decision = policy.decide(state)
-        best_values.append(decision.maximum())
-    flow = {name: np.stack([flow[name] for flow in flows]) for name in flows[0]}
-    episode, discount = flow.pop('case_index').ravel(), simulator.scenario.discount
-    if frozen:
-        seen = joined(next_observations)
-        next_value = frozen.values(seen.robot, seen.others, seen.mask).reshape(steps, -1)
-        target = one_step_targets(flow['reward'], flow['terminated'], next_value, discount)
-    else:
-        target = q_lambda_targets(
-            **flow, best_value=np.stack(best_values), discount=discount, trace_decay=trace_decay
-        )
-    columns = zip(*ended_episodes, strict=True)
-    case_index, outcome, time = (np.concatenate(column) for column in columns)
-    seen = joined(observations)
-    return Rollout(seen, target.ravel(), episode, case_index, outcome, time, decision)
 
 
 def explore(decision: Decision, epsilon: float, generator: np.random.Generator) -> np.ndarray:
     """
     Return actions, (batch,): greedy, but for a share drawn uniformly from the whole set.
 
-    :param decision: of the policy.
     :param epsilon: share of random actions.
-    :param generator: source of randomness.
     """
     batch, actions = decision.values.shape
     random = generator.integers(actions, size=batch)
@@ -115,7 +76,6 @@ def value_at_cut(policy: ValuePolicy, final: CrowdState, truncated: np.ndarray) 
     The worlds have moved on to other episodes, so nobody knows the next step of the people in
     these states: they are taken to walk straight on.
 
-    :param policy: values the states.
     :param final: states before the restart.
     :param truncated: whether the time ran out, (batch,).
     """
@@ -126,15 +86,52 @@ def value_at_cut(policy: ValuePolicy, final: CrowdState, truncated: np.ndarray) 
     return values
 
 
-def joined(observations: list[Observation]) -> Observation:
+def value_targets(
+    steps: Sequence[Transition],
+    last_value: np.ndarray,
+    discount: float,
+    trace_decay: float,
+    frozen: ValueInference | None,
+) -> np.ndarray:
     """
-    Return observations one after the other along the batch axis.
+    Return what the states before the steps are worth, (steps, worlds).
 
-    :param observations: batches of the same number of agents.
+    :param last_value: Q* of the state after the last step, (worlds,).
+    :param discount: of one step.
+    :param trace_decay: lambda of the targets.
+    :param frozen: network of one-step targets, which replace those of Q(lambda); None for none.
     """
-    return Observation(
-        *(
-            np.concatenate([getattr(each, name) for each in observations])
-            for name in ('robot', 'others', 'mask')
-        )
+    reward = np.stack([step.reward for step in steps])
+    terminated = np.stack([step.terminated for step in steps])
+    if frozen:
+        seen = Observation.concatenate([step.following for step in steps if step.following])
+        next_value = frozen.values(seen.robot, seen.others, seen.mask).reshape(reward.shape)
+        return one_step_targets(reward, terminated, next_value, discount)
+    return q_lambda_targets(
+        reward,
+        terminated,
+        truncated=np.stack([step.truncated for step in steps]),
+        greedy=np.stack([step.greedy for step in steps]),
+        best_value=np.stack([*(step.best_value for step in steps), last_value]),
+        final_value=np.stack([step.value_at_cut for step in steps]),
+        discount=discount,
+        trace_decay=trace_decay,
+    )
+
+
+def joined(steps: Sequence[Transition], target: np.ndarray) -> Rollout:
+    """
+    Return the states of all steps with their targets, and the episodes that ended.
+
+    :param target: of the states, (steps, worlds).
+    """
+    ended = np.concatenate([step.terminated | step.truncated for step in steps])
+    case_index = np.concatenate([step.case_index for step in steps])
+    return Rollout(
+        Observation.concatenate([step.observation for step in steps]),
+        target.ravel(),
+        episode=case_index,
+        case_index=case_index[ended],
+        outcome=np.concatenate([step.outcome for step in steps])[ended],
+        time=np.concatenate([step.time for step in steps])[ended],
     )

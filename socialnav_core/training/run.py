@@ -2,11 +2,14 @@
 
 import copy
 import dataclasses
+from pathlib import Path
+import shlex
 
 import numpy as np
 import torch
 
 from socialnav_core.config import Config, PolicyConfig, ScreeningConfig
+from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.policies.value.inference import ValueInference
 from socialnav_core.policies.value.lookahead import Decision, ValuePolicy
 from socialnav_core.prediction.oracle import attach_simulator
@@ -23,6 +26,7 @@ from socialnav_core.training.resume import (
     optimizer_arrays,
     restore_network,
     restore_optimizer,
+    save_state,
 )
 from socialnav_core.training.rollout import Rollout
 from socialnav_core.training.unfinished import UnfinishedEpisodes
@@ -175,4 +179,42 @@ def exploring_policy(config: Config) -> PolicyConfig:
     """
     return dataclasses.replace(
         config.policy, lookahead=config.training.lookahead, screening=ScreeningConfig()
+    )
+
+
+def save(run: Run, out: Path) -> None:
+    """
+    Store the weights, so that the folder can be used, and the state, so that it can be resumed.
+
+    :param run: between two iterations.
+    :param out: folder of the run.
+    """
+    save_weights(out, run.finished_network(), run.config)
+    save_state(out, run.sections(), run.config)
+
+
+def save_unfolded(run: Run, out: Path) -> None:
+    """
+    Store the weights as they were trained, in a checkpoint of its own, for comparison.
+
+    :param run: that is finished.
+    :param out: folder of that checkpoint.
+    """
+    settings = dataclasses.replace(run.config.training, fold_constant_features=False)
+    save_weights(out, run.network, dataclasses.replace(run.config, training=settings))
+
+
+def how_to_resume(run: Run, out: Path) -> str:
+    """
+    Return what to tell the one who stopped a run.
+
+    :param run: stopped and saved.
+    :param out: its folder.
+    """
+    config, folder = shlex.quote(str(out / 'config.yaml')), shlex.quote(str(out))
+    settings = run.config.training
+    return (
+        f'stopped and saved after {run.position} of {settings.length} '
+        f'{"episodes" if settings.episodes else "iterations"}; '
+        f'go on with: socialnav train {config} --out {folder} --resume'
     )

@@ -4,7 +4,7 @@ import numpy as np
 
 from socialnav_core.simulation import Outcome
 from socialnav_core.states import Observation
-from socialnav_core.training.rollout import joined, Rollout
+from socialnav_core.training.rollout import Rollout
 
 
 class UnfinishedEpisodes:
@@ -16,11 +16,7 @@ class UnfinishedEpisodes:
 
         :param agents: agent slots of a state, padding included.
         """
-        self._seen = Observation(
-            np.zeros((0, 6), np.float32),
-            np.zeros((0, agents, 7), np.float32),
-            np.zeros((0, agents), bool),
-        )
+        self._seen = Observation.empty(agents)
         self._target = np.zeros(0)
         self._episode = np.zeros(0, np.int64)
 
@@ -30,14 +26,14 @@ class UnfinishedEpisodes:
 
         :param rollout: the next one.
         """
-        seen = joined([self._seen, rollout.observation])
+        seen = Observation.concatenate([self._seen, rollout.observation])
         target = np.concatenate([self._target, rollout.target])
         episode = np.concatenate([self._episode, rollout.episode])
         ended = np.isin(episode, rollout.case_index)
         late = np.isin(episode, rollout.case_index[rollout.outcome == Outcome.TIMEOUT])
-        self._seen = rows(seen, ~ended)
+        self._seen = seen.select(~ended)
         self._target, self._episode = target[~ended], episode[~ended]
-        return rows(seen, ended & ~late), target[ended & ~late]
+        return seen.select(ended & ~late), target[ended & ~late]
 
     def get_state(self) -> dict[str, np.ndarray]:
         """Return what set_state needs to continue from here."""
@@ -55,13 +51,3 @@ class UnfinishedEpisodes:
         """
         self._seen = Observation(state['robot'], state['others'], state['mask'])
         self._target, self._episode = state['target'], state['episode']
-
-
-def rows(seen: Observation, chosen: np.ndarray) -> Observation:
-    """
-    Return some rows of a batch of observations.
-
-    :param seen: batch axis first.
-    :param chosen: bool (batch,).
-    """
-    return Observation(seen.robot[chosen], seen.others[chosen], seen.mask[chosen])

@@ -1,10 +1,7 @@
 """Training of a value network: imitation, then collection and updates in turn."""
 
 from collections.abc import Callable
-import dataclasses
 from pathlib import Path
-import shlex
-import sys
 import time
 from typing import Any
 
@@ -13,24 +10,30 @@ import numpy as np
 from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config import Config, require, Scenario
 from socialnav_core.policies import Policy
-from socialnav_core.policies.value.checkpoint import load_checkpoint, save_weights
+from socialnav_core.policies.value.checkpoint import load_checkpoint
 from socialnav_core.policies.value.lookahead import ValuePolicy
+from socialnav_core.policies.value.observation import observe
 from socialnav_core.prediction import make_predictor
-from socialnav_core.progress import progress_bar
 from socialnav_core.threads import chosen_threads
-from socialnav_core.training.demonstrators import make_demonstrator
 from socialnav_core.training.folder import finish_folder, prepare_folder, UNFOLDED
-from socialnav_core.training.imitation import collect_demonstrations, imitate
 from socialnav_core.training.interruption import Interruption, TrainingInterrupted
 from socialnav_core.training.model_card import add_result, write_model_card
 from socialnav_core.training.precision import with_available_precision
 from socialnav_core.training.progress import Progress
 from socialnav_core.training.randomness import generator, Purpose
-from socialnav_core.training.regression import regress
-from socialnav_core.training.resume import load_state, save_state
-from socialnav_core.training.rollout import collect, Rollout
-from socialnav_core.training.run import Run
+from socialnav_core.training.regression import update, value_loss
+from socialnav_core.training.resume import load_state
+from socialnav_core.training.rollout import (
+    explore,
+    joined,
+    Rollout,
+    Transition,
+    value_at_cut,
+    value_targets,
+)
+from socialnav_core.training.run import how_to_resume, Run, save, save_unfolded
 from socialnav_core.training.schedules import epsilon, learning_rate
+from socialnav_core.training.warm_up import begin
 
 Evaluate = Callable[[Policy, Scenario], dict[str, Any]]
 
@@ -90,80 +93,12 @@ def train(
     finish_folder(out)
 
 
-def require_predictions(config: Config) -> None:
-    """Raise a ConfigError unless the predictions of a run exist and it could be resumed."""
-    make_predictor(config.policy.lookahead)
-    require(
-        not make_predictor(config.training.lookahead).remembers,
-        f'training.lookahead {config.training.lookahead} has a history, which no run stores; '
-        'use oracle or constant_velocity',
-    )
-
-
-def begin(run: Run, progress: bool) -> None:
-    """
-    Imitate, fill the replay with demonstrations and start the worlds of value learning.
-
-    Half of the replay is filled, so that the other half is there for what comes.
-
-    :param run: before its first iteration.
-    :param progress: whether to say on stderr what happens.
-    """
-    started, used = time.perf_counter(), time.process_time()
-    config, settings = run.config, run.config.training
-    imitation = settings.imitation
-    if imitation.episodes:
-        with progress_bar(imitation.episodes, 'demonstrations', visible=progress) as bar:
-            demonstrations = collect_demonstrations(
-                run.simulator, make_demonstrator(imitation), imitation.episodes, config.seed,
-                bar.update,
-            )  # fmt: skip
-        count = len(demonstrations.returns)
-        announce(f'imitation: {imitation.episodes} episodes of ORCA, {count} states', progress)
-        random = generator(config.seed, Purpose.IMITATION)
-        with progress_bar(imitation.epochs, 'imitation', 'epoch', visible=progress) as bar:
-            imitate(run.network, demonstrations, settings, random, bar.update)
-        order = generator(config.seed, Purpose.SELECTION).permutation(count)
-        run.buffer.append(*demonstrations.select(order[: settings.replay_capacity // 2]))
-    run.renew_target()
-    run.decision = run.policy.decide(run.simulator.reset(seed=config.seed, split='train'))
-    run.seconds = time.perf_counter() - started
-    run.processor_seconds = time.process_time() - used
-
-
 def iterate(run: Run) -> dict[str, float]:
-    """
-    Run all worlds for some steps, then update the network; return the numbers to report.
-
-    :param run: the run, advanced by one iteration.
-    """
+    """Advance the run by one iteration of `learn`; return the numbers to report."""
     started, used = time.perf_counter(), time.process_time()
-    config, settings, iteration = run.config, run.config.training, run.iteration
+    settings, radius = run.config.training, run.obstacle_radius
     rate, exploration = learning_rate(settings, run.position), epsilon(settings, run.position)
-    rollout = collect(
-        run.simulator,
-        run.policy,
-        run.decision,
-        settings.steps_per_iteration,
-        exploration,
-        settings.trace_decay,
-        generator(config.seed, Purpose.EXPLORATION, iteration),
-        run.frozen,
-    )
-    run.decision = rollout.decision
-    run.store(rollout)
-
-    draws = generator(config.seed, Purpose.REPLAY, iteration)
-    losses = []
-    for _ in range(updates_after(rollout, run)):
-        batch = run.buffer.sample(draws, settings.batch_size)
-        losses.append(
-            regress(
-                run.network, run.optimizer, batch, rate, settings.gradient_clip, settings.bfloat16
-            )
-        )
-
-    radius = run.obstacle_radius
+    rollout, losses = learn(run, rate, exploration)
     run.record(rollout)
     run.iteration += 1
     seconds = time.perf_counter() - started
@@ -187,13 +122,62 @@ def iterate(run: Run) -> dict[str, float]:
     }
 
 
-def updates_after(rollout: Rollout, run: Run) -> int:
+def learn(run: Run, rate: float, exploration: float) -> tuple[Rollout, list[float]]:
     """
-    Return the number of updates after a rollout; none while there is nothing to replay.
+    Act and step in all worlds, store what that brought, and update the network from the replay.
 
-    :param rollout: of the iteration.
-    :param run: the run, with the rollout stored.
+    :param rate: learning rate of the updates.
+    :param exploration: share of random actions.
     """
+    config, settings = run.config, run.config.training
+    simulator, policy, worlds = run.simulator, run.policy, np.arange(settings.worlds)
+    chance = generator(config.seed, Purpose.EXPLORATION, run.iteration)
+    transitions = []
+    for _ in range(settings.steps_per_iteration):
+        # act
+        seen, decision = observe(simulator.state, policy.motion), run.decision
+        action = explore(decision, exploration, chance)
+        command = decision.commands[worlds, action]
+
+        # step; worlds whose episode ended are in the next one already, but for `final`
+        state, reward, terminated, truncated, info = simulator.step(command)
+        final = info['final_state']
+        transitions.append(Transition(
+            observation=seen,
+            best_value=decision.maximum(),
+            greedy=action == decision.action,
+            reward=reward,
+            terminated=terminated,
+            truncated=truncated,
+            value_at_cut=value_at_cut(policy, final, truncated),
+            case_index=info['case_index'],
+            outcome=info['outcome'],
+            time=info['time'],
+            following=observe(final, policy.motion) if run.frozen else None,
+        ))  # fmt: skip
+        policy.reset(terminated | truncated)
+        run.decision = policy.decide(state)
+
+    # store, each state with its target
+    target = value_targets(
+        transitions, run.decision.maximum(), config.scenario.discount, settings.trace_decay,
+        run.frozen,
+    )  # fmt: skip
+    rollout = joined(transitions, target)
+    run.store(rollout)
+
+    # sample, loss, update
+    draws, losses = generator(config.seed, Purpose.REPLAY, run.iteration), []
+    for _ in range(updates_after(rollout, run)):
+        batch = run.buffer.sample(draws, settings.batch_size)
+        loss = value_loss(run.network, batch, settings.bfloat16)
+        update(run.network, run.optimizer, loss, rate, settings.gradient_clip)
+        losses.append(loss.item())
+    return rollout, losses
+
+
+def updates_after(rollout: Rollout, run: Run) -> int:
+    """Return the number of updates after a rollout; none while there is nothing to replay."""
     settings = run.config.training
     if not run.buffer.size:
         return 0
@@ -202,50 +186,11 @@ def updates_after(rollout: Rollout, run: Run) -> int:
     return settings.updates_per_iteration
 
 
-def save(run: Run, out: Path) -> None:
-    """
-    Store the weights, so that the folder can be used, and the state, so that it can be resumed.
-
-    :param run: between two iterations.
-    :param out: folder of the run.
-    """
-    save_weights(out, run.finished_network(), run.config)
-    save_state(out, run.sections(), run.config)
-
-
-def save_unfolded(run: Run, out: Path) -> None:
-    """
-    Store the weights as they were trained, in a checkpoint of its own, for comparison.
-
-    :param run: that is finished.
-    :param out: folder of that checkpoint.
-    """
-    settings = dataclasses.replace(run.config.training, fold_constant_features=False)
-    save_weights(out, run.network, dataclasses.replace(run.config, training=settings))
-
-
-def how_to_resume(run: Run, out: Path) -> str:
-    """
-    Return what to tell the one who stopped a run.
-
-    :param run: stopped and saved.
-    :param out: its folder.
-    """
-    config, folder = shlex.quote(str(out / 'config.yaml')), shlex.quote(str(out))
-    settings = run.config.training
-    return (
-        f'stopped and saved after {run.position} of {settings.length} '
-        f'{"episodes" if settings.episodes else "iterations"}; '
-        f'go on with: socialnav train {config} --out {folder} --resume'
+def require_predictions(config: Config) -> None:
+    """Raise a ConfigError unless the predictions of a run exist and it could be resumed."""
+    make_predictor(config.policy.lookahead)
+    require(
+        not make_predictor(config.training.lookahead).remembers,
+        f'training.lookahead {config.training.lookahead} has a history, which no run stores; '
+        'use oracle or constant_velocity',
     )
-
-
-def announce(text: str, progress: bool) -> None:
-    """
-    Say on stderr what happens.
-
-    :param text: one line.
-    :param progress: whether anything is to be said.
-    """
-    if progress:
-        print(text, file=sys.stderr, flush=True)

@@ -20,7 +20,7 @@ def rollout(episode, ended=(), outcome=Outcome.GOAL):
     )
     episode, ended = np.array(episode, np.int64), np.array(ended, np.int64)
     outcomes, times = np.full(len(ended), outcome), np.full(len(ended), 5.0)
-    return Rollout(seen, 10.0 * episode, episode, ended, outcomes, times, decision=None)
+    return Rollout(seen, 10.0 * episode, episode, ended, outcomes, times)
 
 
 def released(unfinished, rollout):

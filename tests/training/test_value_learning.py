@@ -15,6 +15,8 @@ from socialnav_core.policies.value.checkpoint import checkpoint_digest, Checkpoi
 from socialnav_core.simulation import make_scenario, Simulator
 from socialnav_core.training import train, value_learning
 from socialnav_core.training.progress import COLUMNS
+from socialnav_core.training.run import Run
+from socialnav_core.training.warm_up import begin
 
 
 def with_training(config, **settings):
@@ -112,8 +114,8 @@ def test_run_of_a_given_length_in_episodes_ends_with_them(tiny_config, tmp_path)
 
 
 def test_updates_follow_the_episodes_that_ended(tiny_config):
-    run = value_learning.Run(reported(tiny_config))
-    value_learning.begin(run, progress=False)
+    run = Run(reported(tiny_config))
+    begin(run, progress=False)
     for _ in range(16):
         before, ended = run.network.state_dict()['value.0.weight'].clone(), run.ended_episodes
         row = value_learning.iterate(run)
@@ -123,8 +125,8 @@ def test_updates_follow_the_episodes_that_ended(tiny_config):
 
 
 def test_targets_are_renewed_when_enough_episodes_have_ended(tiny_config):
-    run = value_learning.Run(reported(tiny_config))
-    value_learning.begin(run, progress=False)
+    run = Run(reported(tiny_config))
+    begin(run, progress=False)
     renewals = 0
     for _ in range(20):
         target = run.target_network.state_dict()['value.0.weight'].clone()
@@ -143,8 +145,8 @@ def test_states_of_timeouts_are_replayed_only_where_wished(tiny_config):
     sizes = []
     for store in (True, False):
         config = with_training(tiny_config, store_timeouts=store, imitation=imitation)
-        run = value_learning.Run(dataclasses.replace(config, scenario=short))
-        value_learning.begin(run, progress=False)
+        run = Run(dataclasses.replace(config, scenario=short))
+        begin(run, progress=False)
         value_learning.iterate(run)
         sizes.append(run.buffer.size)
     assert sizes == [24, 0]
