@@ -20,10 +20,13 @@ def compiled(function: Callable[..., Any]) -> Any:
 
     numba by itself takes code from its cache as long as the function's own file is the same, even
     when a function that it calls, from another file, has changed. Here the cache is another one
-    for every state of the sources.
+    for every state of the sources, and the same whether these are reached directly or through the
+    links of a workspace.
 
     :param function: of numbers and arrays.
     """
+    code = function.__code__
+    function.__code__ = code.replace(co_filename=os.path.realpath(code.co_filename))
     settings: Any = numba.config
     before = settings.CACHE_DIR
     settings.CACHE_DIR = str(cache_folder())

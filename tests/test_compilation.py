@@ -63,6 +63,15 @@ def test_where_nothing_can_be_kept_kernels_are_compiled_all_the_same(package, mo
     assert negate(3) == -3
 
 
+def test_code_that_is_reached_through_a_link_is_cached_as_the_file_itself(package):
+    (package / 'link').symlink_to(package / 'simulation')
+    code = compile('def one():\n    return 1\n', package / 'link' / 'kernel.py', 'exec')
+    names = {}
+    exec(code, names)
+    assert compilation.compiled(names['one'])() == 1
+    assert names['one'].__code__.co_filename == str(package / 'simulation' / 'kernel.py')
+
+
 def test_a_compiled_function_leaves_other_users_of_numba_alone():
     before = numba.config.CACHE_DIR
 

@@ -248,9 +248,9 @@ def test_commands_beyond_the_limits_are_counted_and_others_are_not(policy):
 def test_a_policy_is_told_the_limits_of_the_moment(policy):
     controller = controller_of(policy)
     controller.decide(SECOND)
-    slower = dataclasses.replace(SETTINGS.limits, speed=0.2)
-    controller.settings = dataclasses.replace(SETTINGS, limits=slower)
+    controller.settings = dataclasses.replace(SETTINGS, max_speed=0.2)
     controller.decide(SECOND)
+    slower = dataclasses.replace(SETTINGS.limits, speed=0.2)
     assert policy.limits == [SETTINGS.limits, slower]
 
 
