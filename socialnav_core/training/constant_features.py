@@ -19,7 +19,6 @@ def without_constant_features(network: nn.Module, buffer: ReplayBuffer) -> nn.Mo
     """
     Return a copy of the network, on the CPU, that ignores what is constant in the buffer.
 
-    :param network: SARL or GAT4SN.
     :param buffer: states that it was trained on; not empty.
     """
     state = buffer.get_state()
@@ -35,11 +34,7 @@ def without_constant_features(network: nn.Module, buffer: ReplayBuffer) -> nn.Mo
 
 
 def input_layers(network: nn.Module) -> list[tuple[nn.Linear, int | None, int | None]]:
-    """
-    Return the layers that read features, with their first column of the robot's and of an agent's.
-
-    :param network: SARL or GAT4SN.
-    """
+    """Return the layers that read features, and where the robot's and an agent's begin in each."""
     if isinstance(network, SarlValueNetwork):
         return [(network.mlp1[0], 0, 6), (network.value[0], 0, None)]  # type: ignore[list-item]
     assert isinstance(network, Gat4snValueNetwork)
@@ -51,7 +46,6 @@ def fold(layer: nn.Linear, column: int, features: torch.Tensor) -> None:
     """
     Move the weights of constant features into the bias, in place.
 
-    :param layer: reads the features.
     :param column: of the first of them.
     :param features: values they had, (rows, features).
     """

@@ -18,7 +18,6 @@ class Curriculum:
         """
         Begin at the first level.
 
-        :param config: levels and what opens the next.
         :param next_case: case index of the first episode.
         :param seed: of the run; baby steps are drawn by it.
         """
@@ -49,7 +48,6 @@ class Curriculum:
         radius and it (smooth), or between the previous level's and it (baby_step, one_pass), as
         far as so many large obstacles find room.
 
-        :param scenario: everything else.
         :param level: None for the present one.
         """
         level = self.level if level is None else level
@@ -66,20 +64,13 @@ class Curriculum:
 
         In baby steps it is any of the levels opened so far, all equally likely; otherwise the
         present one.
-
-        :param case: case index.
         """
         if self.config.scheduler != 'baby_step':
             return self.level
         return int(generator(self._seed, Purpose.BUCKET, case).integers(self.level + 1))
 
     def apply(self, simulator: Simulator, scenario: Scenario) -> None:
-        """
-        Let the episodes that begin from now on have the obstacles of the present level.
-
-        :param simulator: runs endless cases.
-        :param scenario: everything else.
-        """
+        """Let the episodes that begin from now on have the obstacles of the present level."""
         scenarios = [self.scenario(scenario, level) for level in range(self.level + 1)]
         mixed = self.config.scheduler == 'baby_step'
         simulator.change_scenario(
@@ -104,10 +95,6 @@ class Curriculum:
         return self.window.get_state() | {'level': np.array(self.level)}
 
     def set_state(self, state: dict[str, np.ndarray]) -> None:
-        """
-        Continue from a stored state.
-
-        :param state: from get_state.
-        """
+        """Continue from a stored state."""
         self.level = int(state['level'])
         self.window.set_state(state)

@@ -21,11 +21,7 @@ class StaleRadii:
     plan = None
 
     def __init__(self, planner: OrcaPolicy) -> None:
-        """
-        Remember nothing yet.
-
-        :param planner: that is deceived.
-        """
+        """Remember nothing yet."""
         self._planner = planner
         self._radius: np.ndarray | None = None
 
@@ -55,10 +51,6 @@ class StaleRadii:
 
 
 def make_demonstrator(settings: ImitationConfig) -> Policy:
-    """
-    Return who is imitated.
-
-    :param settings: of imitation.
-    """
+    """Return who is imitated."""
     planner = OrcaPolicy(safety_space=settings.safety_space)
     return StaleRadii(planner) if settings.stale_radii else planner

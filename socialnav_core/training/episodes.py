@@ -84,11 +84,7 @@ class EpisodeWindow:
         }
 
     def set_state(self, state: dict[str, np.ndarray]) -> None:
-        """
-        Continue from a stored state.
-
-        :param state: from get_state.
-        """
+        """Continue from a stored state."""
         self.next_case = int(state['next_case'])
         waiting, counted = state['waiting'].tolist(), state['counted'].tolist()
         self._waiting = {int(case): (int(outcome), time) for case, outcome, time in waiting}

@@ -22,9 +22,6 @@ def prepare_folder(folder: Path, resume: bool, overwrite: bool) -> None:
 
     Files that no run wrote are left alone.
 
-    :param folder: of the run.
-    :param resume: it holds a run that goes on.
-    :param overwrite: it may hold a run, which is removed.
     :raises ConfigError: when it holds anything and neither is wished, or cannot be written.
     """
     if resume and overwrite:
@@ -45,12 +42,7 @@ def prepare_folder(folder: Path, resume: bool, overwrite: bool) -> None:
 
 
 def require_replaceable(folder: Path, overwrite: bool) -> None:
-    """
-    Raise a ConfigError unless a folder holds a run that may be replaced.
-
-    :param folder: not empty.
-    :param overwrite: whether a run may be replaced.
-    """
+    """Raise a ConfigError unless a folder holds a run that may be replaced."""
     if not overwrite:
         raise ConfigError(
             f'{folder} is not empty; go on with its run by --resume, replace it by --overwrite, '
@@ -61,21 +53,12 @@ def require_replaceable(folder: Path, overwrite: bool) -> None:
 
 
 def remove_files(folder: Path, patterns: list[str]) -> None:
-    """
-    Remove files.
-
-    :param folder: that holds them.
-    :param patterns: of their names.
-    """
+    """Remove files."""
     for pattern in patterns:
         for path in folder.glob(pattern):
             path.unlink()
 
 
 def finish_folder(folder: Path) -> None:
-    """
-    Remove what only an unfinished run needs.
-
-    :param folder: of a finished run.
-    """
+    """Remove what only an unfinished run needs."""
     (folder / STATE_NAME).unlink(missing_ok=True)

@@ -52,10 +52,6 @@ def collect_demonstrations(
     middle, its sum is unknown and there is no value network yet to estimate the rest: its states
     are left out.
 
-    :param simulator: worlds to run them in.
-    :param demonstrator: drives the robots.
-    :param episodes: number of cases.
-    :param seed: of the cases.
     :param progress: called with the number of episodes that have just ended.
     :raises ConfigError: when all of them ran out of time.
     """
@@ -104,9 +100,6 @@ def imitate(
     """
     Fit the network to the demonstrations in place; return the mean loss of the last epoch.
 
-    :param network: value network.
-    :param demonstrations: states and returns.
-    :param config: of the run.
     :param generator: source of the order.
     :param progress: called with 1 after each epoch.
     """

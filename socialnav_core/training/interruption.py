@@ -34,12 +34,7 @@ class Interruption:
         self._restore()
 
     def _note(self, number: int, frame: FrameType | None) -> None:
-        """
-        Remember the request.
-
-        :param number: of the signal.
-        :param frame: where it arrived.
-        """
+        """Remember the request."""
         self.requested = True
         self._restore()
 

@@ -32,7 +32,6 @@ def add_result(folder: Path, config: Config, result: dict[str, Any]) -> None:
     Keys are scenarios, followed by what differs from the checkpoint's own settings, such as
     simple+oracle. The list of single cases is left out.
 
-    :param config: of the checkpoint.
     :param result: of an evaluation, as `socialnav evaluate --json` writes it.
     """
     metrics = read_metrics(folder) | {
@@ -48,7 +47,6 @@ def require_no_better(folder: Path, config: Config, result: dict[str, Any]) -> N
     """
     Raise a ConfigError when a result would replace one of more cases, or one of the test split.
 
-    :param config: of the checkpoint.
     :param result: of an evaluation, or what is known of it before: all that decides its key, split
         and episodes.
     """
@@ -65,12 +63,7 @@ def require_no_better(folder: Path, config: Config, result: dict[str, Any]) -> N
 
 
 def result_key(result: dict[str, Any], config: Config) -> str:
-    """
-    Return the name of a result: its scenario and what differs from the checkpoint's settings.
-
-    :param result: of an evaluation.
-    :param config: of the checkpoint.
-    """
+    """Return a result's name: its scenario and what differs from the checkpoint's settings."""
     key = result['scenario']
     if result['lookahead'] != config.policy.lookahead:
         key += f'+{result["lookahead"]}'
@@ -80,21 +73,13 @@ def result_key(result: dict[str, Any], config: Config) -> str:
 
 
 def read_metrics(folder: Path) -> dict[str, Any]:
-    """
-    Return the results of a checkpoint, empty where there are none.
-
-    :param folder: of the checkpoint.
-    """
+    """Return the results of a checkpoint, empty where there are none."""
     path = folder / METRICS_NAME
     return json.loads(path.read_text(encoding='utf-8')) if path.is_file() else {}
 
 
 def write_model_card(folder: Path, checkpoint: Checkpoint) -> None:
-    """
-    Write README.md of a checkpoint from its weights, config, metrics and progress.
-
-    :param checkpoint: what the folder holds.
-    """
+    """Write README.md of a checkpoint from its weights, config, metrics and progress."""
     network, config, digest = checkpoint
     parameters = sum(parameter.numel() for parameter in network.parameters())
     results = list(read_metrics(folder).values())
@@ -114,9 +99,7 @@ def description(config: Config, parameters: int, digest: str) -> str:
     """
     Return what the model is.
 
-    :param config: of the checkpoint.
     :param parameters: number of weights.
-    :param digest: of the weights.
     """
     policy = config.policy
     count = f'{policy.heads} head{"s" * (policy.heads > 1)}'
@@ -134,11 +117,7 @@ def description(config: Config, parameters: int, digest: str) -> str:
 
 
 def intended_use(config: Config) -> str:
-    """
-    Return what the model is for.
-
-    :param config: of the checkpoint.
-    """
+    """Return what the model is for."""
     return (
         '## Intended use\n\n'
         f'Driving a {config.policy.kinematics} robot of radius {config.scenario.robot_radius:g} m '
@@ -152,7 +131,6 @@ def training_data(config: Config, last: dict[str, float]) -> str:
     """
     Return what the model learned from.
 
-    :param config: of the checkpoint.
     :param last: last line of the progress report, empty where there is none.
     """
     settings, scenario = config.training, config.scenario
@@ -185,11 +163,7 @@ def training_data(config: Config, last: dict[str, float]) -> str:
 
 
 def value_learning_line(settings: TrainingConfig) -> str:
-    """
-    Return how values were learned, a line of a list.
-
-    :param settings: of the training.
-    """
+    """Return how values were learned, a line of a list."""
     if settings.episodes:
         length = f'{settings.episodes:,} episodes'
     else:
@@ -208,11 +182,7 @@ def value_learning_line(settings: TrainingConfig) -> str:
 
 
 def results_section(results: list[dict[str, Any]]) -> str:
-    """
-    Return the measurements as a table.
-
-    :param results: of evaluations.
-    """
+    """Return the measurements as a table."""
     if not results:
         return '## Results\n\nNot measured yet; see the last command below.'
     metrics = shown_in(Place.CARD, {name for result in results for name in result})
@@ -252,11 +222,7 @@ def card_figure(result: dict[str, Any], metric: Metric) -> str:
 
 
 def limits(config: Config) -> str:
-    """
-    Return where the model is not to be trusted.
-
-    :param config: of the checkpoint.
-    """
+    """Return where the model is not to be trusted."""
     scenario = config.scenario
     seen, people = 'see', 'real people do not follow ORCA'
     if not scenario.robot_visible:
@@ -276,11 +242,7 @@ def limits(config: Config) -> str:
 
 
 def unvaried_features(config: Config) -> str:
-    """
-    Return the line on features that never varied, empty where their weights were left alone.
-
-    :param config: of the checkpoint.
-    """
+    """Return the line on features that never varied, empty where their weights were left alone."""
     if not config.training.fold_constant_features:
         return ''
     return (
@@ -290,12 +252,7 @@ def unvaried_features(config: Config) -> str:
 
 
 def reproduction(folder: Path, results: list[dict[str, Any]]) -> str:
-    """
-    Return the commands that make the model and its results again.
-
-    :param folder: of the checkpoint.
-    :param results: of evaluations.
-    """
+    """Return the commands that make the model and its results again."""
     place = folder.resolve()
     again = f'out/{place.name}_again'
     commands = [f'socialnav train {place.parent.name}/{place.name}/config.yaml --out {again}']
@@ -318,11 +275,7 @@ def reproduction(folder: Path, results: list[dict[str, Any]]) -> str:
 
 
 def last_row(path: Path) -> dict[str, float]:
-    """
-    Return the last line of a progress report, empty where there is none.
-
-    :param path: of the CSV file.
-    """
+    """Return the last line of a progress report, empty where there is none."""
     if not path.is_file():
         return {}
     with path.open(newline='', encoding='utf-8') as file:

@@ -27,11 +27,8 @@ class Progress:
         """
         Open the reports and drop what they hold of iterations that will be repeated.
 
-        :param folder: of the run.
-        :param config: of the run, for its length.
         :param first: iterations that are done already.
         :param position: the same in the unit of the length.
-        :param visible: whether to show a bar on stderr.
         """
         self._unit = 'episodes' if config.episodes else 'iteration'
         self._position = position
@@ -74,9 +71,7 @@ def open_board(folder: Path, first: int, visible: bool) -> Any:
     """
     Return TensorBoard's events opened for more, or None where TensorBoard is not installed.
 
-    :param folder: of the run.
     :param first: iterations whose events are kept.
-    :param visible: whether to say on stderr that there are none.
     """
     try:
         with extra('train'):
@@ -92,7 +87,6 @@ def open_csv(path: Path, first: int, columns: Sequence[str]) -> TextIO:
     """
     Return the report opened for more rows, with a header and those of the first iterations only.
 
-    :param path: of the file.
     :param first: iterations whose rows are kept.
     :param columns: names of all columns; the first one counts the iterations.
     """

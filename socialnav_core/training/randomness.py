@@ -29,20 +29,13 @@ def generator(seed: int, purpose: Purpose, iteration: int = 0) -> np.random.Gene
     """
     Return a stream keyed by its arguments (Philox; Salmon et al. 2011).
 
-    :param seed: of the run.
-    :param purpose: what the numbers are for.
     :param iteration: round of the training that uses them.
     """
     return np.random.Generator(np.random.Philox(key=[seed, purpose], counter=[0, 0, 0, iteration]))
 
 
 def initial_network(config: PolicyConfig, seed: int) -> nn.Module:
-    """
-    Return a value network with random weights, leaving torch's own generator as it was.
-
-    :param config: which network.
-    :param seed: of the run.
-    """
+    """Return a value network with random weights, leaving torch's own generator as it was."""
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
         return build_network(config)

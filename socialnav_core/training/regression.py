@@ -32,7 +32,6 @@ def update(
     """
     Make one step down the gradient of the loss.
 
-    :param learning_rate: of this step.
     :param gradient_clip: largest norm of the gradient.
     :raises FloatingPointError: when the gradient is not finite.
     """

@@ -13,7 +13,6 @@ class ReplayBuffer:
         """
         Make an empty buffer.
 
-        :param capacity: states kept.
         :param agents: agent slots of a state, padding included.
         """
         self.capacity = capacity
@@ -30,7 +29,6 @@ class ReplayBuffer:
         """
         Store states; of more than fit, the last ones.
 
-        :param observation: the states, batch axis first.
         :param target: their values, (batch,).
         """
         kept = slice(max(0, len(target) - self.capacity), None)
@@ -43,12 +41,7 @@ class ReplayBuffer:
         self.size = min(self.size + count, self.capacity)
 
     def sample(self, generator: np.random.Generator, batch_size: int) -> tuple[torch.Tensor, ...]:
-        """
-        Draw states with replacement: robot (batch, 6), others, mask and target (batch,).
-
-        :param generator: source of randomness.
-        :param batch_size: number of states.
-        """
+        """Draw states with replacement: robot (batch, 6), others, mask and target (batch,)."""
         rows = generator.integers(self.size, size=batch_size)
         return tuple(torch.from_numpy(column[rows]) for column in self._columns.values())
 

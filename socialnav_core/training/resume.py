@@ -24,8 +24,6 @@ def save_state(folder: Path, sections: Mapping[str, Arrays], config: Any) -> Non
     """
     Write the state of a run; whenever the process dies, the file is the old one or the new one.
 
-    :param folder: of the run.
-    :param sections: arrays of each part of the run.
     :param config: of the run, a dataclass of socialnav_core.config.
     :raises CheckpointError: when it cannot be written; the file then is the old one.
     """
@@ -54,7 +52,6 @@ def load_state(folder: Path, config: Any) -> dict[str, Arrays]:
     """
     Return the arrays of each part of a run.
 
-    :param folder: of the run.
     :param config: must be the one that the run was started with.
     :raises ConfigError: when there is nothing to resume or a setting differs.
     :raises CheckpointError: when the file is damaged.
@@ -90,12 +87,7 @@ def load_state(folder: Path, config: Any) -> dict[str, Arrays]:
 
 
 def require_same(saved: Mapping[str, Any], given: Mapping[str, Any]) -> None:
-    """
-    Raise a ConfigError that names the first setting in which two configurations differ.
-
-    :param saved: of the run.
-    :param given: of the one who resumes it.
-    """
+    """Raise a ConfigError that names the first setting in which two configurations differ."""
     old, new = flatten(saved), flatten(given)
     for name in sorted(old.keys() | new.keys()):
         if old.get(name) != new.get(name):
@@ -106,11 +98,7 @@ def require_same(saved: Mapping[str, Any], given: Mapping[str, Any]) -> None:
 
 
 def network_arrays(network: torch.nn.Module) -> Arrays:
-    """
-    Return the parameters by name.
-
-    :param network: any module.
-    """
+    """Return the parameters by name."""
     return {name: tensor.cpu().numpy() for name, tensor in network.state_dict().items()}
 
 
@@ -118,7 +106,6 @@ def restore_network(network: torch.nn.Module, arrays: Arrays) -> None:
     """
     Set the parameters in place.
 
-    :param network: any module.
     :param arrays: from network_arrays of a module of the same kind.
     """
     network.load_state_dict({name: torch.from_numpy(array) for name, array in arrays.items()})

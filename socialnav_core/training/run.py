@@ -38,11 +38,7 @@ class Run:
     """A run: network, optimizer, replay, worlds, level and counters."""
 
     def __init__(self, config: Config) -> None:
-        """
-        Make everything as it is before the first iteration; the worlds are not laid out yet.
-
-        :param config: of the run.
-        """
+        """Make everything as it is before the first iteration; the worlds are not laid out yet."""
         settings = config.training
         self.config = config
         self.network = initial_network(config.policy, config.seed).to(settings.device)
@@ -84,11 +80,7 @@ class Run:
         return self.position >= self.config.training.length
 
     def store(self, rollout: Rollout) -> None:
-        """
-        Add what was collected to the replay.
-
-        :param rollout: of the iteration.
-        """
+        """Add what was collected to the replay."""
         if self.config.training.store_timeouts:
             self.buffer.append(rollout.observation, rollout.target)
         else:
@@ -105,11 +97,7 @@ class Run:
         return copy.deepcopy(self.network).cpu()
 
     def record(self, rollout: Rollout) -> None:
-        """
-        Count the episodes that ended, renew the targets and raise the level when it is time.
-
-        :param rollout: of the iteration.
-        """
+        """Count the episodes that ended, renew the targets and raise the level when it is time."""
         ended = (rollout.case_index, rollout.outcome, rollout.time)
         period = self.config.training.target_update_episodes
         before = self.ended_episodes
@@ -172,45 +160,26 @@ class Run:
 
 
 def exploring_policy(config: Config) -> PolicyConfig:
-    """
-    Return how actions are chosen in training: by the look-ahead of training, unscreened.
-
-    :param config: of the run.
-    """
+    """Return how actions are chosen in training: by the look-ahead of training, unscreened."""
     return dataclasses.replace(
         config.policy, lookahead=config.training.lookahead, screening=ScreeningConfig()
     )
 
 
 def save(run: Run, out: Path) -> None:
-    """
-    Store the weights, so that the folder can be used, and the state, so that it can be resumed.
-
-    :param run: between two iterations.
-    :param out: folder of the run.
-    """
+    """Store the weights, which can be used, and the state, from which the run can be resumed."""
     save_weights(out, run.finished_network(), run.config)
     save_state(out, run.sections(), run.config)
 
 
 def save_unfolded(run: Run, out: Path) -> None:
-    """
-    Store the weights as they were trained, in a checkpoint of its own, for comparison.
-
-    :param run: that is finished.
-    :param out: folder of that checkpoint.
-    """
+    """Store the weights as they were trained, in a checkpoint of its own, for comparison."""
     settings = dataclasses.replace(run.config.training, fold_constant_features=False)
     save_weights(out, run.network, dataclasses.replace(run.config, training=settings))
 
 
 def how_to_resume(run: Run, out: Path) -> str:
-    """
-    Return what to tell the one who stopped a run.
-
-    :param run: stopped and saved.
-    :param out: its folder.
-    """
+    """Return what to tell the one who stopped a run."""
     config, folder = shlex.quote(str(out / 'config.yaml')), shlex.quote(str(out))
     settings = run.config.training
     return (

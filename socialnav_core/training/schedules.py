@@ -7,7 +7,6 @@ def learning_rate(config: TrainingConfig, position: int) -> float:
     """
     Return the learning rate: constant up to decay_start, then falling exponentially.
 
-    :param config: start, end and the share of the run with the first.
     :param position: iterations or episodes done, in the unit of the run's length.
     """
     begin = config.decay_start * config.length
@@ -19,7 +18,6 @@ def epsilon(config: TrainingConfig, position: int) -> float:
     """
     Return the share of random actions: falling linearly, then constant.
 
-    :param config: start, end and the share of the run after which the end is reached.
     :param position: iterations or episodes done, in the unit of the run's length.
     """
     share = min(1.0, position / max(config.epsilon_share * config.length, 1))
@@ -32,6 +30,5 @@ def exponential(start: float, end: float, share: float) -> float:
 
     :param start: its value at share 0.
     :param end: its value at share 1, also later.
-    :param share: of the way.
     """
     return start * (end / start) ** min(share, 1.0)

@@ -21,11 +21,7 @@ class UnfinishedEpisodes:
         self._episode = np.zeros(0, np.int64)
 
     def release(self, rollout: Rollout) -> tuple[Observation, np.ndarray]:
-        """
-        Take in a rollout and return the states, and their targets, of what ended otherwise.
-
-        :param rollout: the next one.
-        """
+        """Take in a rollout and return the states, and their targets, of what ended otherwise."""
         seen = Observation.concatenate([self._seen, rollout.observation])
         target = np.concatenate([self._target, rollout.target])
         episode = np.concatenate([self._episode, rollout.episode])
@@ -44,10 +40,6 @@ class UnfinishedEpisodes:
         }  # fmt: skip
 
     def set_state(self, state: dict[str, np.ndarray]) -> None:
-        """
-        Continue from a stored state.
-
-        :param state: from get_state.
-        """
+        """Continue from a stored state."""
         self._seen = Observation(state['robot'], state['others'], state['mask'])
         self._target, self._episode = state['target'], state['episode']

@@ -53,12 +53,7 @@ def train(
     Every saved state is complete: a run that was killed goes on from the last one with `resume`
     and ends with the same bits as one that was not (same machine, same number of threads).
 
-    :param config: the run.
-    :param out: folder of the run.
-    :param resume: go on with the run in the folder.
-    :param overwrite: replace the run in the folder.
     :param evaluate: measures the finished policy in a scenario; its result becomes metrics.json.
-    :param progress: whether to show on stderr how it goes.
     :raises ConfigError: when the folder is taken, or cannot be resumed with this configuration, or
         for a prediction that does not exist.
     :raises CheckpointError: when the state cannot be written.

@@ -15,9 +15,6 @@ def begin(run: Run, progress: bool) -> None:
     Imitate, fill the replay with demonstrations and start the worlds of value learning.
 
     Half of the replay is filled, so that the other half is there for what comes.
-
-    :param run: before its first iteration.
-    :param progress: whether to say on stderr what happens.
     """
     started, used = time.perf_counter(), time.process_time()
     config, settings = run.config, run.config.training
@@ -42,11 +39,6 @@ def begin(run: Run, progress: bool) -> None:
 
 
 def announce(text: str, progress: bool) -> None:
-    """
-    Say on stderr what happens.
-
-    :param text: one line.
-    :param progress: whether anything is to be said.
-    """
+    """Say on stderr what happens."""
     if progress:
         print(text, file=sys.stderr, flush=True)

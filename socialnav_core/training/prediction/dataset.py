@@ -18,7 +18,6 @@ def record_crowds(config: CrowdsConfig, seed: int, split: str) -> list[Recording
     """
     Return the recordings of a run.
 
-    :param seed: of the run.
     :param split: train or validation.
     :raises PackingError: when again and again a crowd does not fit.
     """

@@ -44,10 +44,6 @@ def train_prediction(
     Every saved state is complete: a run that was killed goes on from the last one with `resume`
     and ends with the same bits as one that was not (same machine, same number of threads).
 
-    :param out: folder of the run.
-    :param resume: go on with the run in the folder.
-    :param overwrite: replace the run in the folder.
-    :param progress: whether to show on stderr how it goes.
     :raises ConfigError: when the folder is taken, or cannot be resumed with this configuration.
     :raises CheckpointError: when the state cannot be written.
     :raises TrainingInterrupted: after Ctrl-C or SIGTERM; the run was saved.
