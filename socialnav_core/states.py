@@ -87,7 +87,10 @@ class CrowdState:
 
     def copy(self) -> 'CrowdState':
         """Return a state that shares no memory with this one."""
-        return mapped(np.ndarray.copy, self)
+        # Every step makes one, and `mapped` would take a tenth of the step of a single world.
+        robot = Robot(*[array.copy() for array in vars(self.robot).values()])
+        agents = Agents(*[array.copy() for array in vars(self.agents).values()])
+        return CrowdState(robot, agents, self.bounds.copy(), self.time.copy())
 
     def select(self, worlds: np.ndarray) -> 'CrowdState':
         """Return the state of some worlds, by indices or a mask along the batch axis."""
