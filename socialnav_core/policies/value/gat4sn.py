@@ -5,7 +5,7 @@ from torch import nn
 from torch.nn import functional
 
 from socialnav_core.policies.value.graph_attention import GraphAttention
-from socialnav_core.policies.value.perceptron import apply, full_precision, perceptron
+from socialnav_core.policies.value.perceptron import full_precision, Perceptron
 
 
 class Gat4snValueNetwork(nn.Module):
@@ -34,11 +34,11 @@ class Gat4snValueNetwork(nn.Module):
         :param score: attention score of both layers, see `GraphAttention`.
         """
         super().__init__()
-        self.robot_mlp = perceptron(6, 100, 50, last_relu=True)
-        self.other_mlp = perceptron(7, 100, 50, last_relu=True)
+        self.robot_mlp = Perceptron(6, 100, 50, last_relu=True)
+        self.other_mlp = Perceptron(7, 100, 50, last_relu=True)
         self.hidden_attention = GraphAttention(50, 50, heads, score)
         self.output_attention = GraphAttention(50 * heads, 75, 1, score)
-        self.value = perceptron(150, 150, 100, 100, 1)
+        self.value = Perceptron(150, 150, 100, 100, 1)
 
     def forward(
         self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
@@ -55,7 +55,7 @@ class Gat4snValueNetwork(nn.Module):
         crowd = functional.elu_(other_rows).sum(dim=1)
         graph = torch.cat([functional.elu_(robot_row), crowd], dim=1).to(robot.dtype)
         with full_precision(robot):
-            return apply(graph, self.value).squeeze(1)
+            return self.value(graph).squeeze(1)
 
     def attention_weights(
         self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
@@ -73,8 +73,8 @@ class Gat4snValueNetwork(nn.Module):
     ) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
         """Return what the output attention returns: robot's row, agents' rows and weights."""
         valid_others = others.masked_fill(~mask[:, :, None], 0.0)  # padding may hold anything
-        robot_row = apply(robot, self.robot_mlp)  # once per sample, not once per pair
-        other_rows = apply(valid_others.flatten(0, 1), self.other_mlp).view(*mask.shape, 50)
+        robot_row = self.robot_mlp(robot)  # once per sample, not once per pair
+        other_rows = self.other_mlp(valid_others.flatten(0, 1)).view(*mask.shape, 50)
         robot_row, other_rows, _ = self.hidden_attention(robot_row, other_rows, mask)
         robot_row, other_rows = functional.elu_(robot_row), functional.elu_(other_rows)
         return self.output_attention(robot_row, other_rows, mask)

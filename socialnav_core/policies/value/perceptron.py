@@ -7,31 +7,28 @@ from torch import nn
 from torch.nn import functional
 
 
-def perceptron(*sizes: int, last_relu: bool = False) -> nn.Sequential:
-    """Return linear layers from each size to the next with ReLU between them, or after all."""
-    layers: list[nn.Module] = []
-    for inputs, outputs in zip(sizes[:-1], sizes[1:], strict=True):
-        layers += [nn.Linear(inputs, outputs), nn.ReLU()]
-    return nn.Sequential(*(layers if last_relu else layers[:-1]))
-
-
-def linear(rows: torch.Tensor, layer: nn.Linear) -> torch.Tensor:
-    """Return the rows after a linear layer, (rows, inputs) to (rows, outputs)."""
-    return functional.linear(rows, layer.weight, layer.bias)
-
-
-def apply(rows: torch.Tensor, layers: nn.Sequential) -> torch.Tensor:
+class Perceptron(nn.Sequential):
     """
-    Return the rows after linear layers and ReLUs, (rows, inputs) to (rows, outputs).
+    Linear layers from each size to the next with ReLU between them: (rows, first) to (rows, last).
 
-    `nn.Sequential` gives the same more slowly where batches are as small as one decision's.
+    It computes what `nn.Sequential` would, with less overhead: a batch may be one decision.
     """
-    for layer in layers:
-        if type(layer) is nn.Linear:
-            rows = functional.linear(rows, layer.weight, layer.bias)
-        else:
-            rows = rectify(rows)
-    return rows
+
+    def __init__(self, *sizes: int, last_relu: bool = False) -> None:
+        """Create the layers, initialised as PyTorch does; the last has a ReLU where asked for."""
+        layers = [nn.Linear(*pair) for pair in zip(sizes[:-1], sizes[1:], strict=True)]
+        modules = [module for layer in layers for module in (layer, nn.ReLU())]
+        super().__init__(*(modules if last_relu else modules[:-1]))
+        self._layers = [(layer.weight, layer.bias) for layer in layers]
+        self._rectified = len(layers) if last_relu else len(layers) - 1
+
+    def forward(self, rows: torch.Tensor) -> torch.Tensor:
+        """Return the rows after all layers."""
+        for number, (weight, bias) in enumerate(self._layers):
+            rows = functional.linear(rows, weight, bias)
+            if number < self._rectified:
+                rows = rectify(rows)
+        return rows
 
 
 def rectify(rows: torch.Tensor) -> torch.Tensor:

@@ -4,13 +4,7 @@ import torch
 from torch import nn
 
 from socialnav_core.policies.value.masked_softmax import masked_softmax
-from socialnav_core.policies.value.perceptron import (
-    apply,
-    full_precision,
-    linear,
-    perceptron,
-    rectify,
-)
+from socialnav_core.policies.value.perceptron import full_precision, Perceptron, rectify
 
 
 class SarlValueNetwork(nn.Module):
@@ -34,12 +28,12 @@ class SarlValueNetwork(nn.Module):
     def __init__(self) -> None:
         """Create the four perceptrons with PyTorch's default initialisation."""
         super().__init__()
-        self.mlp1 = perceptron(13, 150, 100, last_relu=True)
+        self.mlp1 = Perceptron(13, 150, 100, last_relu=True)
         self.mlp2_hidden = nn.Linear(100, 100)
         self.mlp2_output = nn.Linear(100, 50)
         self.attention_hidden = nn.Linear(200, 100)
-        self.attention_output = perceptron(100, 100, 1)
-        self.value = perceptron(56, 150, 100, 100, 1)
+        self.attention_output = Perceptron(100, 100, 1)
+        self.value = Perceptron(56, 150, 100, 100, 1)
 
     def forward(
         self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
@@ -53,14 +47,14 @@ class SarlValueNetwork(nn.Module):
         """
         embedding = self._embed(robot, others, mask)
         weights = self._attend(embedding, mask)
-        hidden = rectify(linear(embedding.flatten(0, 1), self.mlp2_hidden)).view_as(embedding)
+        hidden = rectify(self.mlp2_hidden(embedding.flatten(0, 1))).view_as(embedding)
         # mlp2 ends in a linear layer and the weights sum to one (or all are zero), so pooling
         # first gives the same sum for one product per sample in place of one per agent.
         pooled = torch.bmm(weights[:, None], hidden).squeeze(1)  # (batch, 100)
         with full_precision(robot):
-            crowd = linear(pooled.to(robot.dtype), self.mlp2_output)
+            crowd = self.mlp2_output(pooled.to(robot.dtype))
             crowd = crowd * mask.any(dim=1, keepdim=True)  # without agents not even the bias
-            return apply(torch.cat([robot, crowd], dim=1), self.value).squeeze(1)
+            return self.value(torch.cat([robot, crowd], dim=1)).squeeze(1)
 
     def attention_weights(
         self, robot: torch.Tensor, others: torch.Tensor, mask: torch.Tensor
@@ -80,7 +74,7 @@ class SarlValueNetwork(nn.Module):
         robots = robot[:, None].expand(-1, others.shape[1], -1)
         pairs = torch.cat([robots, others], dim=2)
         pairs = pairs.masked_fill_(~mask[:, :, None], 0.0)  # padding may hold anything
-        return apply(pairs.flatten(0, 1), self.mlp1).view(*mask.shape, 100)
+        return self.mlp1(pairs.flatten(0, 1)).view(*mask.shape, 100)
 
     def _attend(self, embedding: torch.Tensor, mask: torch.Tensor) -> torch.Tensor:
         """Return w_i of each agent, shape (batch, agents)."""
@@ -92,4 +86,4 @@ class SarlValueNetwork(nn.Module):
         from_mean = torch.addmm(self.attention_hidden.bias, mean, mean_part)[:, None]
         from_own = torch.mm(embedding.flatten(0, 1), own_part).view_as(embedding)
         hidden = rectify(from_own + from_mean).flatten(0, 1)
-        return masked_softmax(apply(hidden, self.attention_output).view(mask.shape), mask)
+        return masked_softmax(self.attention_output(hidden).view(mask.shape), mask)
