@@ -40,19 +40,16 @@ def row(number: int, result: EpisodeResult) -> str:
     return aligned(cells, WIDTHS, str.rjust)
 
 
-def table(results: list[EpisodeResult]) -> str:
-    """
-    Return all episodes and a summary.
+def heading() -> str:
+    """Return the line above the episodes."""
+    return aligned(HEADINGS, WIDTHS, str.rjust)
 
-    :param results: in the order in which they ended; at least one.
-    """
-    lines = [
-        aligned(HEADINGS, WIDTHS, str.rjust),
-        *(row(number, one) for number, one in enumerate(results, 1)),
-    ]
+
+def summary(results: list[EpisodeResult]) -> str:
+    """Return how many of at least one episode reached the goal, and how fast."""
     times = [result.time for result in results if result.outcome == 'goal']
     mean = f', {sum(times) / len(times):.2f} s on average' if times else ''
-    return '\n'.join([*lines, f'{len(times)} of {len(results)} reached the goal{mean}'])
+    return f'{len(times)} of {len(results)} reached the goal{mean}'
 
 
 def record_of(result: EpisodeResult) -> dict[str, Any]:

@@ -17,7 +17,7 @@ from socialnav.demo.episode_recorder import cause
 from socialnav.demo.graph import node_parameters, node_topics, TRUTH
 from socialnav.demo.isolation import isolated_environment
 from socialnav.demo.listener import DemoNode
-from socialnav.demo.report import row, table, write_json
+from socialnav.demo.report import heading, row, summary, write_json
 from socialnav.parameters import DEFAULT_MODEL
 from socialnav.programs import INTERRUPTED, take_signals
 from socialnav_core.simulation import make_scenario
@@ -114,7 +114,7 @@ def run_demo(options: argparse.Namespace) -> None:
             print(f'started: {", ".join(nodes)}; the first time they compile', file=sys.stderr)
             listen(listener, nodes, options.episodes)
     results = listener.results[: options.episodes]
-    print(f'\n{table(results)}', flush=True)
+    print(summary(results), flush=True)
     if options.real_time:
         print(listener.punctuality())
     write_json(results, options.out / 'episodes.json')
@@ -127,17 +127,18 @@ def run_demo(options: argparse.Namespace) -> None:
 
 def listen(listener: DemoNode, nodes: Nodes, episodes: int) -> None:
     """
-    Print each episode when it ends, until all have.
+    Print a table of the episodes, each when it ends, until all have.
 
     :raises DemoError: a node died or cannot be used, or nothing new came for long.
     """
     executor = SingleThreadedExecutor()
     executor.add_node(listener)
     printed = 0
+    print(heading(), flush=True)
     while printed < episodes:
         executor.spin_once(timeout_sec=0.1)
         for number, result in enumerate(listener.results[printed:], printed + 1):
-            print(f'{row(number, result)}', flush=True)
+            print(row(number, result), flush=True)
         printed = len(listener.results)
         dead = {name: node.poll() for name, node in nodes.items() if node.poll() is not None}
         for name, code in dead.items():
