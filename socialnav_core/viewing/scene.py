@@ -104,8 +104,8 @@ class Header:
         """Write the policy, the scenario and the case; leave the right side empty."""
         recording = self.recording
         case = f'{recording.scenario}  ·  seed {recording.seed}, case {recording.case_index}'
-        if recording.look_ahead:
-            case += f'  ·  {recording.look_ahead}'
+        if recording.description and recording.description.knowledge:
+            case += f'  ·  {recording.description.knowledge}'  # all that has room in a picture
         self._write(0.0, 1.055, recording.policy, fontsize=13, color=INK, weight='bold')
         self._write(0.0, 1.016, case, fontsize=9.5, color=FAINT_INK)
         self.title = self._write(1.0, 1.055, '', fontsize=13, ha='right', weight='bold')
