@@ -3,7 +3,10 @@
 import argparse
 from collections.abc import Callable
 import math
+from pathlib import Path
 from typing import Any, NoReturn
+
+from socialnav_core.config.mapping import parse_assignments
 
 SPLITS = ('train', 'validation', 'test')
 MODEL_HELP = 'folder of a checkpoint, name in models/, or a policy without network such as orca'
@@ -91,6 +94,32 @@ def add_set_option(parser: argparse.ArgumentParser, example: str) -> None:
         dest='assignments',
         help=f'change settings, such as {example}',
     )
+
+
+def add_training_options(parser: argparse.ArgumentParser, example: str, seeded: str) -> None:
+    """
+    Add the options of a training: its config and changes to it, its folder and its seed.
+
+    :param example: of a changed setting.
+    :param seeded: what the seed is the seed of.
+    """
+    parser.add_argument(
+        'config', metavar='CONFIG', help='YAML file, or the name of one that comes with socialnav'
+    )
+    add_set_option(parser, example)
+    parser.add_argument('--out', type=Path, metavar='DIR', help='folder of the run (out/NAME)')
+    parser.add_argument('--seed', type=whole_number, metavar='N', help=f'seed of {seeded}')
+    parser.add_argument('--resume', action='store_true', help='go on with the run in the folder')
+    add_overwrite_option(parser)
+    add_threads_option(parser)
+
+
+def training_assignments(given: argparse.Namespace) -> dict[str, Any]:
+    """Return the changes to a config that were asked for, the seed among them."""
+    assignments = parse_assignments(given.assignments)
+    if given.seed is not None:
+        assignments['seed'] = given.seed
+    return assignments
 
 
 def add_threads_option(parser: argparse.ArgumentParser) -> None:

@@ -7,13 +7,10 @@ from typing import Any, TYPE_CHECKING
 
 from socialnav_core.commands.arguments import (
     add_command,
-    add_overwrite_option,
-    add_set_option,
-    add_threads_option,
-    whole_number,
+    add_training_options,
+    training_assignments,
 )
 from socialnav_core.commands.choices import use_threads
-from socialnav_core.config.mapping import parse_assignments
 
 if TYPE_CHECKING:  # torch takes a second, which --help need not
     from socialnav_core.config import Scenario
@@ -31,17 +28,7 @@ def add_parser(commands: Any) -> None:
     """Add the command."""
     summary = 'Train a value network by imitation of ORCA, then by value learning.'
     parser = add_command(commands, 'train', run, summary, EXAMPLES)
-    parser.add_argument(
-        'config', metavar='CONFIG', help='YAML file, or the name of one that comes with socialnav'
-    )
-    add_set_option(parser, 'training.learning_rate=3e-4')
-    parser.add_argument('--out', type=Path, metavar='DIR', help='folder of the run (out/NAME)')
-    parser.add_argument(
-        '--seed', type=whole_number, metavar='N', help='seed of weights, cases and exploration'
-    )
-    parser.add_argument('--resume', action='store_true', help='go on with the run in the folder')
-    add_overwrite_option(parser)
-    add_threads_option(parser)
+    add_training_options(parser, 'training.learning_rate=3e-4', 'weights, cases and exploration')
 
 
 def run(given: argparse.Namespace) -> None:
@@ -50,10 +37,7 @@ def run(given: argparse.Namespace) -> None:
     from socialnav_core.config import read_config
     from socialnav_core.training import train
 
-    assignments = parse_assignments(given.assignments)
-    if given.seed is not None:
-        assignments['seed'] = given.seed
-    config = read_config(given.config, assignments)
+    config = read_config(given.config, training_assignments(given))
     out = given.out or Path('out', config.name)
     train(
         config,
