@@ -33,8 +33,7 @@ ITERATIONS = 6
 
 def on(device: str, model: str, bfloat16: bool) -> ValuePolicy:
     """Return a shipped policy whose network is on a device."""
-    policy = load_policy(model)
-    policy.network.to(device)
+    policy = load_policy(model, device=device)
     return ValuePolicy(policy.network, policy.config, bfloat16)
 
 

@@ -68,7 +68,7 @@ class ValueInference:
     def attention(self, seen: Observation) -> np.ndarray:
         """Return the attention weights of each row, float32 (rows, agents)."""
         with torch.inference_mode():
-            device = device_of(self.network)
+            device = self._some_parameter.device
             arrays = (torch.from_numpy(a).to(device) for a in (seen.robot, seen.others, seen.mask))
             return self.network.attention_weights(*arrays).cpu().numpy()  # type: ignore[operator]
 
