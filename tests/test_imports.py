@@ -11,8 +11,8 @@ ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / 'socialnav_core'
 ORDER = (
     'states', 'storage', 'tables', 'config', 'simulation', 'metrics', 'sensing', 'messages',
-    'prediction', 'policies', 'training', 'evaluation', 'viewing', 'benchmarking', 'commands',
-    'cli',
+    'prediction', 'policies', 'environments', 'training', 'evaluation', 'viewing',
+    'benchmarking', 'commands', 'cli',
 )  # fmt: skip
 """Parts of socialnav_core; none imports one that comes after it."""
 
