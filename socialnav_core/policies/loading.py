@@ -13,7 +13,7 @@ from socialnav_core.config.mapping import flatten, replace, to_mapping
 from socialnav_core.places import MODELS
 from socialnav_core.policies.orca import OrcaPolicy
 from socialnav_core.policies.protocol import Policy
-from socialnav_core.policies.search.checkpoint import load_planner, Planner, PLANNER
+from socialnav_core.policies.search.checkpoint import load_planner, PLANNER, Planner
 from socialnav_core.policies.search.search_policy import SearchPolicy
 from socialnav_core.policies.search.terminal import TerminalValue
 from socialnav_core.policies.straight_line import StraightLinePolicy
@@ -59,10 +59,30 @@ def load_policy(model: str | Path, **overrides: Any) -> Policy:
     if model in WITHOUT_NETWORK:
         entry = WITHOUT_NETWORK[str(model)]
         return entry.make(replace(entry.settings, wanted_settings(model, overrides), str(model)))
-    folder = find_model(model)
-    if (folder / PLANNER).is_file():
-        return planner_policy(model, load_planner(folder), overrides)
-    return value_policy(model, load_checkpoint(folder), overrides)
+    return policy_of(model, read_model(find_model(model)), overrides)
+
+
+def read_model(folder: Path) -> Checkpoint | Planner:
+    """
+    Return what the checkpoint in a folder holds.
+
+    :raises CheckpointError: when it is damaged.
+    """
+    is_planner = (folder / PLANNER).is_file()
+    return load_planner(folder) if is_planner else load_checkpoint(folder)
+
+
+def policy_of(
+    model: str | Path, held: Checkpoint | Planner, overrides: Mapping[str, Any]
+) -> Policy:
+    """
+    Return the policy of what a checkpoint holds; see `load_policy`.
+
+    :param model: its name, for messages.
+    """
+    if isinstance(held, Planner):
+        return planner_policy(model, held, overrides)
+    return value_policy(model, held, overrides)
 
 
 def planner_policy(

@@ -101,7 +101,7 @@ class SearchPolicy:
             self._space = make_workspace(self._lattice, agents, modes)
         batch, layers = state.batch_size, len(self._lattice.durations)
         commands, self.expected_cost = np.zeros((batch, 2)), np.zeros(batch)
-        self.plan = np.zeros((batch, layers, 2))
+        plan = self.plan = np.zeros((batch, layers, 2))
         valued = self.value is not None and self.settings.value_weight > 0.0
         candidates = make_candidates(batch, self.settings.candidates * valued, layers)
         slots = self._geodesics.slots_of(worlds)
@@ -111,17 +111,15 @@ class SearchPolicy:
             np.ascontiguousarray(prediction.deviations, dtype=np.float64),
             np.ascontiguousarray(prediction.weights, dtype=np.float64),
             self._lattice, self._costs, self._space, self.settings.candidate_slack, candidates,
-            commands, self.plan, self.expected_cost,
+            commands, plan, self.expected_cost,
         )  # fmt: skip
         if self.value is not None and valued:
             ends = candidates.plans[:, :, -1]
             used = np.isfinite(candidates.totals)
             used &= used.sum(axis=1, keepdims=True) > 1  # between one there is no choice
             _, subgoals = self.ways_on(state, ends)
-            horizon = Horizon(
-                state, prediction, self.last_layer, ends, subgoals, used
-            )
-            self._choose(candidates, self.value.costs(horizon), used, state, commands)
+            horizon = Horizon(state, prediction, self.last_layer, ends, subgoals, used)
+            self._choose(candidates, self.value.costs(horizon), used, state, commands, plan)
         return commands
 
     def ways_on(self, state: CrowdState, positions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -144,14 +142,15 @@ class SearchPolicy:
         used: np.ndarray,
         state: CrowdState,
         commands: np.ndarray,
+        plan: np.ndarray,
     ) -> None:
         """Replace commands and plans by those of the candidates that are cheapest in all."""
         totals = candidates.totals + self.settings.value_weight * costs
         worlds = np.flatnonzero(used.any(axis=1))
         best = np.where(used, totals, np.inf)[worlds].argmin(axis=1)
-        self.plan[worlds] = candidates.plans[worlds, best]
-        self.expected_cost[worlds] = totals[worlds, best]
-        moved = self.plan[worlds, 0] - state.robot.position[worlds]
+        chosen = candidates.plans[worlds, best]
+        plan[worlds], self.expected_cost[worlds] = chosen, totals[worlds, best]
+        moved = chosen[:, 0] - state.robot.position[worlds]
         commands[worlds] = moved / self._lattice.durations[0]
 
     def attention(self, state: CrowdState) -> np.ndarray | None:

@@ -84,6 +84,7 @@ class Preference:
     def attention(self, state: CrowdState) -> None:
         """Return nothing."""
 
+
 def drive(
     policy: SearchPolicy,
     scenario: Scenario,
@@ -114,6 +115,7 @@ def drive(
         step = len(costs)
         if len(expected) == ahead and step % settings.stride == 0:
             seen.append((*example(policy, state, expected[0], active), step))
+        assert policy.prediction is not None
         agents = expected_state(state, policy.prediction, policy.last_layer).agents
         expected.append((agents.position, agents.velocity))
         state, _, _, _, info = simulator.step(command)
@@ -142,9 +144,7 @@ def example(
     distance, subgoal = policy.ways_on(state, robot.position[:, None])
     placed = state.with_agents(position=expected[0], velocity=expected[1])
     worlds = np.flatnonzero(active)
-    observation = observe_robots(
-        placed.select(worlds), robot.position[worlds], subgoal[worlds, 0]
-    )
+    observation = observe_robots(placed.select(worlds), robot.position[worlds], subgoal[worlds, 0])
     remaining = policy.time_to_go(distance[:, 0], robot.preferred_speed)
     return padded(observation), remaining[worlds], worlds
 

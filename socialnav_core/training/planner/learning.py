@@ -1,5 +1,6 @@
 """Training of a planner, from random weights to a checkpoint."""
 
+from collections.abc import Callable
 import contextlib
 import csv
 import dataclasses
@@ -10,9 +11,10 @@ import time
 
 import numpy as np
 import torch
+from tqdm import tqdm
 
 from socialnav_core.allocator import keep_freed_memory
-from socialnav_core.config import Scenario
+from socialnav_core.config import Scenario, SearchConfig
 from socialnav_core.config.planner import PlannerConfig
 from socialnav_core.policies.search.checkpoint import save_planner
 from socialnav_core.policies.search.search_policy import SearchPolicy
@@ -81,9 +83,9 @@ def train_planner(
     finish_folder(out)
 
 
-def stop_or_count(interruption: Interruption, bar: object, run: PlannerRun, out: Path) -> None:
+def stop_or_count(interruption: Interruption, bar: tqdm, run: PlannerRun, out: Path) -> None:
     """Count a world; raise TrainingInterrupted where a signal came."""
-    bar.update(1)  # type: ignore[attr-defined]
+    bar.update(1)
     if interruption.requested:
         place = shlex.quote(str(out))
         how = (
@@ -96,7 +98,7 @@ def stop_or_count(interruption: Interruption, bar: object, run: PlannerRun, out:
         )
 
 
-def iterate(run: PlannerRun, count: object) -> dict[str, float]:
+def iterate(run: PlannerRun, count: Callable[[], None]) -> dict[str, float]:
     """Drive, learn and measure once; return the numbers to report."""
     started, used = time.perf_counter(), time.process_time()
     settings = run.config.training
@@ -107,11 +109,12 @@ def iterate(run: PlannerRun, count: object) -> dict[str, float]:
         draws = generator(run.config.seed, Purpose.PLANNER_WORLDS, number)
         preference = Preference(value, settings.exploration, settings.episodes, draws)
         drives.append(drive_somewhere(run.config, preference, number, 'train', draws))
-        count()  # type: ignore[operator]
+        count()
     run.examples += [part.examples for part in drives]
     loss = fit(run)
     learned = measure(run.config, TerminalValue(run.network), count)
-    plain = measure(run.config, None, lambda: None)
+    if math.isnan(run.cost_without):
+        run.cost_without = measure(run.config, None, lambda: None)['cost']
     run.keep_best(learned['cost'])
     run.rounds += 1
     run.seconds += time.perf_counter() - started
@@ -121,7 +124,7 @@ def iterate(run: PlannerRun, count: object) -> dict[str, float]:
         'examples': sum(len(part.cost) for part in run.examples),
         'loss': loss,
         **learned,
-        'cost_without': plain['cost'],
+        'cost_without': run.cost_without,
         'seconds': run.seconds,
         'processor_seconds': run.processor_seconds,
     }
@@ -154,7 +157,7 @@ def drive_somewhere(
     return attempt()
 
 
-def fitting(config: PlannerConfig, scenario: Scenario):  # type: ignore[no-untyped-def]
+def fitting(config: PlannerConfig, scenario: Scenario) -> SearchConfig:
     """Return the settings of the search with the goal tolerance and time step of a world."""
     return dataclasses.replace(
         config.policy, goal_tolerance=scenario.goal_tolerance, time_step=scenario.time_step
@@ -184,13 +187,15 @@ def fit(run: PlannerRun) -> float:
     return float(np.mean(losses[-max(1, len(losses) // 10) :]))
 
 
-def measure(config: PlannerConfig, value: Valuation | None, count: object) -> dict[str, float]:
+def measure(
+    config: PlannerConfig, value: Valuation | None, count: Callable[[], None]
+) -> dict[str, float]:
     """Return how a planner does in the validation worlds."""
     settings, drives = config.training, []
     for group in range(settings.validation_groups):
         draws = generator(config.seed, Purpose.PLANNER_VALIDATION, group)
         drives.append(drive_somewhere(config, value, group, 'validation', draws))
-        count()  # type: ignore[operator]
+        count()
     outcome = np.concatenate([part.outcome for part in drives])
     time_spent = np.concatenate([part.time for part in drives])
     intrusion = np.concatenate([part.intrusion for part in drives])

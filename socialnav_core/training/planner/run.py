@@ -25,6 +25,7 @@ class PlannerRun:
         self.examples: list[Examples] = []
         self.rounds = 0
         self.best_cost = math.inf
+        self.cost_without = math.nan
         self.seconds = 0.0
         self.processor_seconds = 0.0
 
@@ -40,7 +41,7 @@ class PlannerRun:
 
     def sections(self) -> dict[str, Arrays]:
         """Return all that `restore` needs, part by part."""
-        counters = ('rounds', 'best_cost', 'seconds', 'processor_seconds')
+        counters = ('rounds', 'best_cost', 'cost_without', 'seconds', 'processor_seconds')
         examples = Examples.concatenate(self.examples)
         return {
             'network': network_arrays(self.network),
