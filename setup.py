@@ -78,6 +78,7 @@ setup(
         'socialnav_core': [
             'config/recipes/*.yaml',
             'config/recipes/prediction/*.yaml',
+            'config/recipes/planner/*.yaml',
             'py.typed',
             'viewing/ros2msg.txt',
         ],

@@ -19,6 +19,7 @@ from socialnav_core.commands import (
     render,
     scenarios,
     train,
+    train_planner,
     train_prediction,
 )
 from socialnav_core.commands.arguments import CommandFailure, Parser
@@ -26,8 +27,8 @@ from socialnav_core.config import ConfigError
 from socialnav_core.extras import MissingExtra
 
 COMMANDS = (
-    train, evaluate, compare, render, benchmark, models, metrics, scenarios, train_prediction,
-    evaluate_prediction, export,
+    train, evaluate, compare, render, benchmark, models, metrics, scenarios, train_planner,
+    train_prediction, evaluate_prediction, export,
 )  # fmt: skip
 """Modules with `add_parser`, which names the function that runs the command."""
 OTHERS = 'socialnav.commands'

@@ -24,6 +24,7 @@ from socialnav_core.config.mapping import parse_assignments
 
 if TYPE_CHECKING:  # torch takes a second, which --help need not
     from socialnav_core.policies import Policy, PolicyDescription
+    from socialnav_core.policies.search.checkpoint import Planner
     from socialnav_core.policies.value.checkpoint import Checkpoint
 
 EXAMPLES = """orca --scenario hard --safety-space 0.15
@@ -106,14 +107,14 @@ class Card:
 
     folder: Path
     """Of the checkpoint."""
-    checkpoint: 'Checkpoint'
+    checkpoint: 'Checkpoint | Planner'
     """What it holds."""
 
     def policy(self, given: argparse.Namespace) -> 'Policy':
         """Return the policy of the checkpoint as it was asked for."""
-        from socialnav_core.policies.loading import value_policy
+        from socialnav_core.policies.loading import policy_of
 
-        return value_policy(given.model, self.checkpoint, chosen_overrides(given))
+        return policy_of(given.model, self.checkpoint, chosen_overrides(given))
 
     def require_no_better(
         self, policy: 'PolicyDescription', scenario: Scenario, given: argparse.Namespace
@@ -129,10 +130,10 @@ class Card:
 
     def add(self, values: dict[str, Any]) -> None:
         """Add a result to the metrics and write the card anew."""
-        from socialnav_core.training import add_result, write_model_card
+        from socialnav_core.training import add_result, write_card
 
         add_result(self.folder, self.checkpoint.config, values)
-        write_model_card(self.folder, self.checkpoint)
+        write_card(self.folder, self.checkpoint)
 
 
 def open_card(given: argparse.Namespace) -> Card:
@@ -142,8 +143,7 @@ def open_card(given: argparse.Namespace) -> Card:
     :raises CheckpointError: when the model is damaged.
     :raises ConfigError: when there is no such model, or the result is not one of it as it is.
     """
-    from socialnav_core.policies.loading import find_model, WITHOUT_NETWORK
-    from socialnav_core.policies.value.checkpoint import load_checkpoint
+    from socialnav_core.policies.loading import find_model, read_model, WITHOUT_NETWORK
 
     if given.model in WITHOUT_NETWORK:
         raise ConfigError(f'{given.model} has no model card: drop --card')
@@ -152,4 +152,4 @@ def open_card(given: argparse.Namespace) -> Card:
     use_threads(given)
     folder = find_model(given.model)
     require_own(folder)
-    return Card(folder, load_checkpoint(folder))
+    return Card(folder, read_model(folder))

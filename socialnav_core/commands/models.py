@@ -37,12 +37,12 @@ def add_parser(commands: Any) -> None:
 def run(given: argparse.Namespace) -> None:
     """Run the command."""
     from socialnav_core.places import MODELS
-    from socialnav_core.policies.value.checkpoint import WEIGHTS
+    from socialnav_core.policies.loading import is_model
 
     parent = given.folder or MODELS
     if not parent.is_dir():
         raise ConfigError(f'there is no folder {parent}')
-    folders = sorted(path.parent for path in parent.glob(f'*/{WEIGHTS}'))
+    folders = sorted(path for path in parent.glob('*') if is_model(path))
     if not folders:
         raise ConfigError(f'no models in {parent}; train one with socialnav train quick')
     if given.cards:
@@ -53,33 +53,47 @@ def run(given: argparse.Namespace) -> None:
 def write_cards(folders: list[Path]) -> None:
     """Write the card of each model anew."""
     from socialnav_core.commands.files import require_own
-    from socialnav_core.policies.value.checkpoint import load_checkpoint
-    from socialnav_core.training import write_model_card
+    from socialnav_core.policies.loading import read_model
+    from socialnav_core.training import write_card
 
     for folder in folders:
         require_own(folder)
-        write_model_card(folder, load_checkpoint(folder))
+        write_card(folder, read_model(folder))
 
 
 def row(folder: Path) -> tuple[str, ...]:
     """Return the cells of COLUMNS for one model; of a damaged one, what is wrong with it."""
-    from socialnav_core.policies.value.checkpoint import CheckpointError, load_checkpoint
+    from socialnav_core.policies.loading import read_model
+    from socialnav_core.storage import CheckpointError
 
     try:
-        network, config, digest = load_checkpoint(folder)
+        held = read_model(folder)
     except CheckpointError as error:
         return (folder.name, 'damaged', '', '', str(error), '')
-    parameters = sum(parameter.numel() for parameter in network.parameters())
-    name, count = config.policy.network, config.policy.heads
-    heads = f' ({count} head{"s" * (count > 1)})' if name.startswith('gat4sn') else ''
+    parameters = sum(parameter.numel() for parameter in held.network.parameters())
+    kind, world = kind_and_world(held.config)
     return (
         folder.name,
-        name + heads,
+        kind,
         f'{parameters:,}',
-        config.scenario.name,
+        world,
         headlines(folder / 'metrics.json'),
-        digest[:DIGEST_LENGTH],
+        held.digest[:DIGEST_LENGTH],
     )
+
+
+def kind_and_world(config: Any) -> tuple[str, str]:
+    """Return what network a model has, and where it was trained."""
+    from socialnav_core.config.planner import PlannerConfig
+
+    if isinstance(config, PlannerConfig):
+        return f'search + {network_text(config.network, config.heads)}', 'mixed worlds'
+    return network_text(config.policy.network, config.policy.heads), config.scenario.name
+
+
+def network_text(name: str, heads: int) -> str:
+    """Return the name of a network, with its number of heads where it has any."""
+    return f'{name} ({heads} head{"s" * (heads > 1)})' if name.startswith('gat4sn') else name
 
 
 def headlines(path: Path) -> str:

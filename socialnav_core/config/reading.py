@@ -5,12 +5,14 @@ from pathlib import Path
 from typing import Any
 
 from socialnav_core.config.mapping import assign, ConfigError, from_mapping, read_yaml, to_mapping
+from socialnav_core.config.planner import PlannerConfig
 from socialnav_core.config.prediction import PredictionConfig
 from socialnav_core.config.scenarios import resolve_scenario
 from socialnav_core.config.training import Config
 
 RECIPES = Path(__file__).parent / 'recipes'
 PREDICTIONS = RECIPES / 'prediction'
+PLANNERS = RECIPES / 'planner'
 SHARED = ('kinematics', 'time_step', 'goal_tolerance', 'reward')
 
 
@@ -47,6 +49,20 @@ def read_prediction_config(
     """
     values = read_values(find_config(source, PREDICTIONS), assignments or {})
     return from_mapping(PredictionConfig, values)
+
+
+def read_planner_config(
+    source: str | Path, assignments: Mapping[str, Any] | None = None
+) -> PlannerConfig:
+    """
+    Return a complete configuration of a planner.
+
+    :param source: a YAML file, or the name of one that comes with the package, such as socialnav.
+    :param assignments: dotted settings and their values, such as {'training.rounds': 2}.
+    :raises ConfigError: when the file or a setting does not exist or makes no sense.
+    """
+    values = read_values(find_config(source, PLANNERS), assignments or {})
+    return from_mapping(PlannerConfig, values)
 
 
 def read_values(path: Path, assignments: Mapping[str, Any]) -> dict[str, Any]:

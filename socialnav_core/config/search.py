@@ -10,9 +10,9 @@ POSITIVE = (
 )  # fmt: skip
 NOT_NEGATIVE = (
     'fine_layers', 'contact', 'intrusion', 'comfort_distance', 'turning', 'obstacle_margin',
-    'deviation_floor', 'deviation_share',
+    'deviation_floor', 'deviation_near', 'deviation_share', 'value_weight', 'candidate_slack',
 )  # fmt: skip
-SHARES = ('contact_discount', 'intrusion_discount')
+SHARES = ('contact_discount', 'intrusion_discount', 'deviation_decay')
 
 
 @dataclasses.dataclass(frozen=True)
@@ -53,8 +53,12 @@ class SearchConfig:
     """Cost of a change of velocity by the preferred speed, s."""
     obstacle_margin: float = 0.02
     """Gap to obstacles and walls that is kept, m."""
+    deviation_near: float = 1.0
+    """Factor of the predicted standard deviations in the first layer."""
     deviation_share: float = 1.0
-    """Factor of the predicted standard deviations."""
+    """The factor that this turns into with each later layer: what is far is planned again."""
+    deviation_decay: float = 0.8
+    """Part of the difference between the two that is left with each later layer."""
     deviation_floor: float = 0.0
     """Added to the predicted standard deviations, m."""
     deviation_limit: float = 0.25
@@ -65,6 +69,12 @@ class SearchConfig:
     """Side of the cells of the distances around obstacles, m."""
     window: float = 12.0
     """Half-width of the square around the robot in which these are computed, m."""
+    value_weight: float = 1.0
+    """Factor of the value at the horizon, where there is a network; 0 leaves it aside."""
+    candidates: int = 16
+    """First motions whose best paths are valued, at most."""
+    candidate_slack: float = 1.0
+    """Paths that are worse than the best by more than this are not valued, s."""
 
     def __post_init__(self) -> None:
         """Refuse values that describe no search."""
@@ -75,5 +85,6 @@ class SearchConfig:
         for name in SHARES:
             require(0 <= getattr(self, name) <= 1, f'{name} must lie in [0, 1]')
         require(self.headings >= 3 and self.speeds >= 1, 'a lattice needs 3 headings and a speed')
+        require(self.candidates >= 1, 'candidates must be at least 1')
         require(self.horizon >= self.time_step, 'horizon must be at least time_step')
         require(self.window >= 8 * self.grid, 'window must be at least 8 cells of the grid')

@@ -13,7 +13,9 @@ from socialnav_core.config.mapping import flatten, replace, to_mapping
 from socialnav_core.places import MODELS
 from socialnav_core.policies.orca import OrcaPolicy
 from socialnav_core.policies.protocol import Policy
+from socialnav_core.policies.search.checkpoint import load_planner, PLANNER, Planner
 from socialnav_core.policies.search.search_policy import SearchPolicy
+from socialnav_core.policies.search.terminal import TerminalValue
 from socialnav_core.policies.straight_line import StraightLinePolicy
 from socialnav_core.policies.value.checkpoint import Checkpoint, load_checkpoint, WEIGHTS
 from socialnav_core.policies.value.lookahead import ValuePolicy
@@ -57,7 +59,42 @@ def load_policy(model: str | Path, **overrides: Any) -> Policy:
     if model in WITHOUT_NETWORK:
         entry = WITHOUT_NETWORK[str(model)]
         return entry.make(replace(entry.settings, wanted_settings(model, overrides), str(model)))
-    return value_policy(model, load_checkpoint(find_model(model)), overrides)
+    return policy_of(model, read_model(find_model(model)), overrides)
+
+
+def read_model(folder: Path) -> Checkpoint | Planner:
+    """
+    Return what the checkpoint in a folder holds.
+
+    :raises CheckpointError: when it is damaged.
+    """
+    is_planner = (folder / PLANNER).is_file()
+    return load_planner(folder) if is_planner else load_checkpoint(folder)
+
+
+def policy_of(
+    model: str | Path, held: Checkpoint | Planner, overrides: Mapping[str, Any]
+) -> Policy:
+    """
+    Return the policy of what a checkpoint holds; see `load_policy`.
+
+    :param model: its name, for messages.
+    """
+    if isinstance(held, Planner):
+        return planner_policy(model, held, overrides)
+    return value_policy(model, held, overrides)
+
+
+def planner_policy(
+    model: str | Path, planner: Planner, overrides: Mapping[str, Any]
+) -> SearchPolicy:
+    """
+    Return the policy of the checkpoint of a planner; see `load_policy`.
+
+    :param model: its name, for messages.
+    """
+    settings = replace(planner.config.policy, wanted_settings(model, overrides), 'policy')
+    return SearchPolicy(settings, value=TerminalValue(planner.network), name=planner.config.name)
 
 
 def value_policy(
@@ -106,7 +143,15 @@ def settings_of(model: str | Path) -> tuple[str, ...]:
     """Return the names of the settings that the policy of a model has."""
     if model in WITHOUT_NETWORK:
         return tuple(flatten(to_mapping(WITHOUT_NETWORK[str(model)].settings)))
+    if (find_model(model) / PLANNER).is_file():
+        return tuple(flatten(to_mapping(SearchConfig())))
     return (*flatten(to_mapping(PolicyConfig())), DEVICE)
+
+
+def is_model(folder: Path) -> bool:
+    """Return whether a folder holds the weights of a policy."""
+    # os.path says no, rather than fail, for what cannot be a path
+    return any(os.path.isfile(folder / weights) for weights in (WEIGHTS, PLANNER))
 
 
 def find_model(model: str | Path) -> Path:
@@ -117,8 +162,8 @@ def find_model(model: str | Path) -> Path:
     :raises ConfigError: when there is none; names those that there are.
     """
     for folder in (Path(model), MODELS / model):
-        if os.path.isfile(folder / WEIGHTS):  # no error for what cannot be a path
+        if is_model(folder):
             return folder
-    known = sorted(path.parent.name for path in MODELS.glob(f'*/{WEIGHTS}'))
+    known = sorted(path.name for path in MODELS.glob('*') if is_model(path))
     choices = ', '.join([*WITHOUT_NETWORK, *known])
     raise ConfigError(f'no model {str(model)!r}: give the folder of a checkpoint or {choices}')

@@ -3,14 +3,15 @@
 from pathlib import Path
 
 from socialnav_core.config import ConfigError
+from socialnav_core.policies.search.checkpoint import PLANNER
 from socialnav_core.policies.value.checkpoint import CONFIG, WEIGHTS
 from socialnav_core.prediction.learned.checkpoint import WEIGHTS as PREDICTION
 from socialnav_core.training.model_card import CARD_NAME, METRICS_NAME
 from socialnav_core.training.progress import CSV_NAME
 from socialnav_core.training.resume import STATE_NAME
 
-RUN_FILES = (STATE_NAME, CSV_NAME, WEIGHTS, PREDICTION, CONFIG, METRICS_NAME, CARD_NAME)
-MARKS = (STATE_NAME, CSV_NAME, WEIGHTS, PREDICTION)
+RUN_FILES = (STATE_NAME, CSV_NAME, WEIGHTS, PREDICTION, PLANNER, CONFIG, METRICS_NAME, CARD_NAME)
+MARKS = (STATE_NAME, CSV_NAME, WEIGHTS, PREDICTION, PLANNER)
 EVENTS = 'events.out.tfevents.*'
 UNFOLDED = 'unfolded'
 """Checkpoint with the weights as they were trained, inside the folder of the run."""

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from socialnav_core.config import Config, ConfigError, TrainingConfig
+from socialnav_core.config.planner import PlannerConfig
 from socialnav_core.metrics import Metric, Place, shown_in
 from socialnav_core.policies.value.checkpoint import Checkpoint
 from socialnav_core.prediction import knowledge_of
@@ -13,6 +14,8 @@ from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.storage import atomic_write
 from socialnav_core.tables import markdown_table, number
 from socialnav_core.training.progress import CSV_NAME
+
+AnyConfig = Config | PlannerConfig
 
 METRICS_NAME = 'metrics.json'
 CARD_NAME = 'README.md'
@@ -25,7 +28,7 @@ NETWORKS = {
 }
 
 
-def add_result(folder: Path, config: Config, result: dict[str, Any]) -> None:
+def add_result(folder: Path, config: AnyConfig, result: dict[str, Any]) -> None:
     """
     Put an evaluation into the metrics of a checkpoint; an older one of the same kind is replaced.
 
@@ -43,7 +46,7 @@ def add_result(folder: Path, config: Config, result: dict[str, Any]) -> None:
     atomic_write(folder / METRICS_NAME, f'{text}\n'.encode())
 
 
-def require_no_better(folder: Path, config: Config, result: dict[str, Any]) -> None:
+def require_no_better(folder: Path, config: AnyConfig, result: dict[str, Any]) -> None:
     """
     Raise a ConfigError when a result would replace one of more cases, or one of the test split.
 
@@ -62,12 +65,13 @@ def require_no_better(folder: Path, config: Config, result: dict[str, Any]) -> N
         )
 
 
-def result_key(result: dict[str, Any], config: Config) -> str:
+def result_key(result: dict[str, Any], config: AnyConfig) -> str:
     """Return a result's name: its scenario and what differs from the checkpoint's settings."""
     key = result['scenario']
     if result['lookahead'] != config.policy.lookahead:
         key += f'+{result["lookahead"]}'
-    if result['screening'] != config.policy.screening.enabled:
+    screened = isinstance(config, Config) and config.policy.screening.enabled
+    if result['screening'] != screened:
         key += '+screening' if result['screening'] else '+no_screening'
     return key
 
@@ -251,16 +255,21 @@ def unvaried_features(config: Config) -> str:
     )
 
 
-def reproduction(folder: Path, results: list[dict[str, Any]]) -> str:
-    """Return the commands that make the model and its results again."""
+def reproduction(folder: Path, results: list[dict[str, Any]], command: str = 'train') -> str:
+    """
+    Return the commands that make the model and its results again.
+
+    :param command: of the training.
+    """
     place = folder.resolve()
     again = f'out/{place.name}_again'
-    commands = [f'socialnav train {place.parent.name}/{place.name}/config.yaml --out {again}']
+    source = f'{place.parent.name}/{place.name}/config.yaml'
+    commands = [f'socialnav {command} {source} --out {again}']
+    screening = {True: ' --screening', False: ' --no-screening'} if command == 'train' else {}
     commands += [
         f'socialnav evaluate {again} --scenario {result["scenario"]} '
         f'--episodes {result["episodes"]} --seed {result["seed"]} --split {result["split"]} '
-        f'--lookahead {result["lookahead"]} '
-        f'{"--screening" if result["screening"] else "--no-screening"} --card'
+        f'--lookahead {result["lookahead"]}{screening.get(result["screening"], "")} --card'
         for result in results
     ]
     if not results:

@@ -23,6 +23,9 @@ class Purpose(enum.IntEnum):
     EXAMPLES = 8
     VALIDATION_EXAMPLES = 9
     EVALUATION_CROWDS = 10
+    PLANNER_WORLDS = 11
+    PLANNER_VALIDATION = 12
+    PLANNER_BATCHES = 13
 
 
 def generator(seed: int, purpose: Purpose, iteration: int = 0) -> np.random.Generator:

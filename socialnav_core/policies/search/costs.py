@@ -34,6 +34,8 @@ class Costs(NamedTuple):
     obstacle_margin: float
     slack: float
     goal_tolerance: float
+    deviation_near: float
+    deviation_decay: float
     deviation_share: float
     deviation_floor: float
     deviation_limit: float
@@ -58,14 +60,16 @@ def normal_distribution(z):  # type: ignore[no-untyped-def]
 
 
 @inlined
-def deviation_used(costs, predicted):  # type: ignore[no-untyped-def]
+def deviation_used(costs, predicted, layer):  # type: ignore[no-untyped-def]
     """
     Return the standard deviation that the search counts with, m.
 
     Later risks are discounted. Where a risk is so large that the discount of one layer exceeds
     the layer's duration, waiting once more always seems better: that is why it is limited.
     """
-    wanted = predicted * costs.deviation_share + costs.deviation_floor
+    share = costs.deviation_share
+    share += (costs.deviation_near - share) * costs.deviation_decay**layer
+    wanted = predicted * share + costs.deviation_floor
     return max(min(wanted, costs.deviation_limit), 1e-6)
 
 

@@ -59,7 +59,7 @@ def write_person(  # type: ignore[no-untyped-def]
     for layer in range(lattice.durations.size):
         to_x = positions[world, mode, layer, agent, 0]
         to_y = positions[world, mode, layer, agent, 1]
-        deviation = deviation_used(costs, deviations[world, mode, layer, agent])
+        deviation = deviation_used(costs, deviations[world, mode, layer, agent], layer)
         reach = reach_of(costs, deviation)
         space.track[layer + 1, place, 0], space.track[layer + 1, place, 1] = to_x, to_y
         space.spread[layer, place, INVERSE_DEVIATION] = 1.0 / deviation

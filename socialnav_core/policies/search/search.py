@@ -10,6 +10,7 @@ import math
 from typing import NamedTuple
 
 from socialnav_core.compilation import compiled, inlined
+from socialnav_core.policies.search.candidates import write_candidates
 from socialnav_core.policies.search.costs import length
 from socialnav_core.policies.search.fields import distance_at, frame_of, way_down
 from socialnav_core.policies.search.lattice import SPENT, TOTAL, VELOCITY_X, VELOCITY_Y, X, Y
@@ -44,13 +45,15 @@ class Trip(NamedTuple):
 
 @compiled
 def plan_worlds(  # type: ignore[no-untyped-def]
-    worlds, slots, fields, positions, deviations, weights, lattice, costs, space, commands, plans,
-    totals,
+    worlds, slots, fields, positions, deviations, weights, lattice, costs, space, candidate_slack,
+    candidates, commands, plans, totals,
 ):  # fmt: skip
     """
     Plan in each world; write commands, m/s, plans, m, (batch, layers, 2), and expected costs, s.
 
     :param slots: where the distances of each world are in the fields.
+    :param candidate_slack: how much worse than the best a candidate may be, s.
+    :param candidates: written where the robot does not arrive within the horizon.
     """
     for world in range(slots.size):
         if worlds.speed[world] <= 0.0:
@@ -62,8 +65,11 @@ def plan_worlds(  # type: ignore[no-untyped-def]
         obstacles = gather_obstacles(worlds, world, lattice, costs, space)
         field, frame = fields.distance[max(0, slots[world])], frame_of(fields, slots[world])
         start_nodes(worlds, world, lattice, space)
-        layer, node = search(worlds, world, field, frame, people, obstacles, lattice, costs, space)
+        layer, node, count = search(
+            worlds, world, field, frame, people, obstacles, lattice, costs, space
+        )
         totals[world] = space.nodes[layer, node, TOTAL]
+        write_candidates(world, count, totals[world], candidate_slack, space, candidates)
         write_plan(world, layer, node, space, plans)
         for axis in range(2):
             moved = plans[world, 0, axis] - worlds.position[world, axis]
@@ -84,7 +90,12 @@ def start_nodes(worlds, world, lattice, space):  # type: ignore[no-untyped-def]
 
 @compiled
 def search(worlds, world, field, frame, people, obstacles, lattice, costs, space):  # type: ignore[no-untyped-def]
-    """Fill the layers of a world; return the layer and number of the node to head for."""
+    """
+    Fill the layers of a world.
+
+    Return the layer and number of the node to head for, and how many nodes the last layer has; 0
+    where the robot is to arrive.
+    """
     trip = Trip(
         worlds.position[world, 0], worlds.position[world, 1],
         worlds.goal[world, 0], worlds.goal[world, 1],
@@ -103,15 +114,15 @@ def search(worlds, world, field, frame, people, obstacles, lattice, costs, space
         if reached < arrival:
             arrival, arrival_layer = reached, layer + 1
         if count == 0 or arrival <= best:
-            return arrival_layer, arrival_node
+            return arrival_layer, arrival_node, 0
         driven += trip.speed * lattice.durations[layer]
     last = lattice.durations.size
     for other in range(count):
         if space.nodes[last, other, TOTAL] < space.nodes[last, node, TOTAL]:
             node = other
     if arrival < space.nodes[last, node, TOTAL]:
-        return arrival_layer, arrival_node
-    return last, node
+        return arrival_layer, arrival_node, 0
+    return last, node, count
 
 
 @inlined

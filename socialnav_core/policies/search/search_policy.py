@@ -6,12 +6,18 @@ import numpy as np
 
 from socialnav_core.config import SearchConfig
 from socialnav_core.policies.protocol import PolicyDescription
+from socialnav_core.policies.search.candidates import Candidates, make_candidates, ways_on
 from socialnav_core.policies.search.costs import Costs
 from socialnav_core.policies.search.fields import GeodesicCache
 from socialnav_core.policies.search.lattice import make_lattice, make_workspace
-from socialnav_core.policies.search.search import plan_worlds
+from socialnav_core.policies.search.search import (
+    ARRIVAL_SHARE,
+    LEAST_REMAINING,
+    plan_worlds,
+)
+from socialnav_core.policies.search.terminal import Horizon, Valuation
 from socialnav_core.policies.search.worlds import worlds_of
-from socialnav_core.prediction import make_predictor, Predictor
+from socialnav_core.prediction import make_predictor, Prediction, Predictor
 from socialnav_core.simulation.kinematics import Limits
 from socialnav_core.states import CrowdState
 
@@ -26,16 +32,26 @@ class SearchPolicy:
     kinematics = 'holonomic'
 
     def __init__(
-        self, settings: SearchConfig | None = None, predictor: Predictor | None = None
+        self,
+        settings: SearchConfig | None = None,
+        predictor: Predictor | None = None,
+        value: Valuation | None = None,
+        name: str = 'search',
     ) -> None:
         """
         Choose settings.
 
         :param predictor: takes the place of the one that the settings name.
+        :param value: what the ways on are worth at the horizon; None: the distance to the goal.
+        :param name: what results call it.
         :raises ConfigError: when the settings name no prediction.
         """
         self.settings = settings or SearchConfig()
         self.predictor = predictor or make_predictor(self.settings.lookahead)
+        self.value = value
+        self.name = name
+        self.prediction: Prediction | None = None
+        """What was predicted at the last decision, at `times`."""
         self.plan: np.ndarray | None = None
         """Where the robots were meant to go at the last decision, m, (batch, layers, 2)."""
         self.expected_cost = np.empty(0)
@@ -50,12 +66,22 @@ class SearchPolicy:
     def description(self) -> PolicyDescription:
         """Return what results tell of this policy."""
         return PolicyDescription(
-            name='search',
+            name=self.name,
             kinematics=self.kinematics,
             prediction=self._prediction,
             knowledge=self.predictor.knowledge,
             remembers=self.predictor.remembers,
         )
+
+    @property
+    def last_layer(self) -> float:
+        """Return how long the last layer lasts, s."""
+        return float(self._lattice.durations[-1])
+
+    def time_to_go(self, distance: np.ndarray, speed: np.ndarray) -> np.ndarray:
+        """Return the time that the search reckons for some distances at preferred speeds, s."""
+        remaining = distance - ARRIVAL_SHARE * self.settings.goal_tolerance
+        return np.maximum(remaining, LEAST_REMAINING) / speed
 
     @property
     def times(self) -> np.ndarray:
@@ -69,24 +95,67 @@ class SearchPolicy:
         :param limits: not used: the search has no inertia.
         """
         worlds = worlds_of(state)
-        prediction = self.predictor.predict(state, self.times)
+        prediction = self.prediction = self.predictor.predict(state, self.times)
         modes, agents = prediction.positions.shape[1], prediction.positions.shape[3]
         if modes * agents > len(self._space.order):
             self._space = make_workspace(self._lattice, agents, modes)
-        batch = state.batch_size
+        batch, layers = state.batch_size, len(self._lattice.durations)
         commands, self.expected_cost = np.zeros((batch, 2)), np.zeros(batch)
-        self.plan = np.zeros((batch, len(self._lattice.durations), 2))
+        plan = self.plan = np.zeros((batch, layers, 2))
+        valued = self.value is not None and self.settings.value_weight > 0.0
+        candidates = make_candidates(batch, self.settings.candidates * valued, layers)
+        slots = self._geodesics.slots_of(worlds)
         plan_worlds(
-            worlds, self._geodesics.slots_of(worlds), self._geodesics.fields,
+            worlds, slots, self._geodesics.fields,
             np.ascontiguousarray(prediction.positions, dtype=np.float64),
             np.ascontiguousarray(prediction.deviations, dtype=np.float64),
             np.ascontiguousarray(prediction.weights, dtype=np.float64),
-            self._lattice, self._costs, self._space, commands, self.plan, self.expected_cost,
+            self._lattice, self._costs, self._space, self.settings.candidate_slack, candidates,
+            commands, plan, self.expected_cost,
         )  # fmt: skip
+        if self.value is not None and valued:
+            ends = candidates.plans[:, :, -1]
+            used = np.isfinite(candidates.totals)
+            used &= used.sum(axis=1, keepdims=True) > 1  # between one there is no choice
+            _, subgoals = self.ways_on(state, ends)
+            horizon = Horizon(state, prediction, self.last_layer, ends, subgoals, used)
+            self._choose(candidates, self.value.costs(horizon), used, state, commands, plan)
         return commands
 
-    def attention(self, state: CrowdState) -> None:
-        """Return nothing: people count by where they will be."""
+    def ways_on(self, state: CrowdState, positions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """
+        Return distances to the goals around the obstacles, and goals in sight at that distance.
+
+        :param positions: from where, m, (batch, positions, 2).
+        :returns: m, (batch, positions), and m, (batch, positions, 2).
+        """
+        worlds = worlds_of(state)
+        distances, subgoals = np.zeros(positions.shape[:2]), np.zeros(positions.shape)
+        slots = self._geodesics.slots_of(worlds)
+        ways_on(worlds, slots, self._geodesics.fields, positions, distances, subgoals)
+        return distances, subgoals
+
+    def _choose(
+        self,
+        candidates: Candidates,
+        costs: np.ndarray,
+        used: np.ndarray,
+        state: CrowdState,
+        commands: np.ndarray,
+        plan: np.ndarray,
+    ) -> None:
+        """Replace commands and plans by those of the candidates that are cheapest in all."""
+        totals = candidates.totals + self.settings.value_weight * costs
+        worlds = np.flatnonzero(used.any(axis=1))
+        best = np.where(used, totals, np.inf)[worlds].argmin(axis=1)
+        chosen = candidates.plans[worlds, best]
+        plan[worlds], self.expected_cost[worlds] = chosen, totals[worlds, best]
+        moved = chosen[:, 0] - state.robot.position[worlds]
+        commands[worlds] = moved / self._lattice.durations[0]
+
+    def attention(self, state: CrowdState) -> np.ndarray | None:
+        """Return how much the network looks at each agent, (batch, agents); None without one."""
+        return self.value.attention(state) if self.value else None
 
     def reset(self, worlds: np.ndarray | None = None) -> None:
         """Forget the history of some worlds, of all where none are named."""

@@ -2,7 +2,7 @@
 
 import hashlib
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from safetensors import safe_open, SafetensorError
 from safetensors.torch import save
@@ -14,6 +14,8 @@ from socialnav_core.config.mapping import from_mapping, read_yaml, to_yaml
 from socialnav_core.policies.value.gat4sn import Gat4snValueNetwork
 from socialnav_core.policies.value.sarl import SarlValueNetwork
 from socialnav_core.storage import atomic_write, CheckpointError
+
+Settings = TypeVar('Settings', bound=Any)
 
 WEIGHTS = 'weights.safetensors'
 CONFIG = 'config.yaml'
@@ -44,8 +46,17 @@ def save_weights(folder: Path, network: nn.Module, config: Config) -> None:
 
     :param folder: made if needed.
     """
+    write_tensors(folder, WEIGHTS, network, to_yaml(config))
+
+
+def write_tensors(folder: Path, name: str, network: nn.Module, config: str) -> None:
+    """
+    Write the weights of a network under a name, and the text of a config beside them.
+
+    :param folder: made if needed.
+    """
     folder.mkdir(parents=True, exist_ok=True)
-    text = to_yaml(config).encode()
+    text = config.encode()
     tensors = {
         name: value.detach().cpu().contiguous() for name, value in network.state_dict().items()
     }
@@ -54,7 +65,7 @@ def save_weights(folder: Path, network: nn.Module, config: Config) -> None:
         'config_digest': hashlib.sha256(text).hexdigest(),
     }
     atomic_write(folder / CONFIG, text)
-    atomic_write(folder / WEIGHTS, save(tensors, metadata))
+    atomic_write(folder / name, save(tensors, metadata))
 
 
 def load_checkpoint(folder: Path) -> Checkpoint:
@@ -66,11 +77,29 @@ def load_checkpoint(folder: Path) -> Checkpoint:
     if not folder.is_dir():
         raise CheckpointError(f'no checkpoint folder {folder}')
     tensors, metadata = read_tensors(folder / WEIGHTS)
-    config = read_config(folder / CONFIG, metadata)
+    config = read_config(folder / CONFIG, metadata, Config)
+    network = build_network(config.policy)
+    digest = fill_network(network, tensors, metadata, folder / WEIGHTS, config.policy.network)
+    return Checkpoint(network.eval(), config, digest)
+
+
+def fill_network(
+    network: nn.Module,
+    tensors: dict[str, torch.Tensor],
+    metadata: dict[str, str],
+    path: Path,
+    kind: str,
+) -> str:
+    """
+    Give a network its weights and return their digest.
+
+    :param path: of the weights, for messages.
+    :param kind: of the network, as the config names it.
+    :raises CheckpointError: when they are altered, of another network or not finite.
+    """
     digest = tensors_digest(tensors)
     if metadata.get('digest') != digest:
-        raise CheckpointError(f'{folder / WEIGHTS} is altered: its digest does not match')
-    network = build_network(config.policy)
+        raise CheckpointError(f'{path} is altered: its digest does not match')
     expected = {name: value.shape for name, value in network.state_dict().items()}
     found = {name: value.shape for name, value in tensors.items()}
     if expected != found:
@@ -78,25 +107,26 @@ def load_checkpoint(folder: Path) -> Checkpoint:
             name for name in expected.keys() | found if expected.get(name) != found.get(name)
         )
         raise CheckpointError(
-            f'{folder / WEIGHTS} does not hold the network {config.policy.network} that '
+            f'{path} does not hold the network {kind} that '
             f'{CONFIG} names: {differing[0]} is missing, unknown or of another shape'
         )
     if not all(torch.isfinite(value).all() for value in tensors.values()):
-        raise CheckpointError(f'{folder / WEIGHTS} holds values that are not finite')
+        raise CheckpointError(f'{path} holds values that are not finite')
     network.load_state_dict(tensors)
-    return Checkpoint(network.eval(), config, digest)
+    return digest
 
 
-def read_config(path: Path, metadata: dict[str, str]) -> Config:
+def read_config(path: Path, metadata: dict[str, str], kind: type[Settings]) -> Settings:
     """
     Return the config of a checkpoint, unaltered since the weights were written.
 
     :param metadata: of the weights.
-    :raises CheckpointError: when it is missing, altered or holds no config.
+    :param kind: dataclass of the config.
+    :raises CheckpointError: when it is missing, altered or holds no such config.
     """
     try:
         text = path.read_bytes()
-        config = from_mapping(Config, read_yaml(path))
+        config = from_mapping(kind, read_yaml(path))
     except (OSError, ConfigError) as error:
         raise CheckpointError(f'{path} is not the config of a checkpoint: {error}') from error
     if metadata.get('config_digest') != hashlib.sha256(text).hexdigest():
