@@ -64,12 +64,17 @@ def require_no_better(folder: Path, config: Config, result: dict[str, Any]) -> N
 
 def result_key(result: dict[str, Any], config: Config) -> str:
     """Return a result's name: its scenario and what differs from the checkpoint's settings."""
-    key = result['scenario']
+    key = '+'.join([result['scenario'], *map(change_text, result.get('changes', {}).items())])
     if result['lookahead'] != config.policy.lookahead:
         key += f'+{result["lookahead"]}'
     if result['screening'] != config.policy.screening.enabled:
         key += '+screening' if result['screening'] else '+no_screening'
     return key
+
+
+def change_text(change: tuple[str, Any]) -> str:
+    """Return the name and value of a setting that was changed, such as `time_limit=35.0`."""
+    return '='.join(map(str, change))
 
 
 def read_metrics(folder: Path) -> dict[str, Any]:
@@ -134,13 +139,12 @@ def training_data(config: Config, last: dict[str, float]) -> str:
     :param last: last line of the progress report, empty where there is none.
     """
     settings, scenario = config.training, config.scenario
-    imitation, curriculum = settings.imitation, settings.curriculum
+    curriculum = settings.curriculum
     lines = [
         '## Training data\n',
         f'Simulated episodes of `{scenario.name}` ({scenario.pedestrians} ORCA pedestrians, '
         f'{scenario.obstacles} obstacles), cases of the `train` split, seed {config.seed}:\n',
-        f'- imitation: {imitation.episodes:,} episodes of an ORCA robot (safety space '
-        f'{imitation.safety_space:g} m), {imitation.epochs} epochs;',
+        imitation_line(settings),
         value_learning_line(settings),
         f'- products in {"bfloat16" if settings.bfloat16 else "float32"}, weights in float32.',
     ]
@@ -160,6 +164,16 @@ def training_data(config: Config, last: dict[str, float]) -> str:
             f'{last["obstacle_radius"]:g} m.'
         )
     return '\n'.join(lines)
+
+
+def imitation_line(settings: TrainingConfig) -> str:
+    """Return what came before value learning, a line of a list."""
+    imitation = settings.imitation
+    space = f'safety space {imitation.safety_space:g} m'
+    shown = f'{imitation.episodes:,} episodes of an ORCA robot ({space})'
+    if settings.initial_weights:
+        return f'- begun with the weights `{settings.initial_weights}`; replayed first: {shown};'
+    return f'- imitation: {shown}, {imitation.epochs} epochs;'
 
 
 def value_learning_line(settings: TrainingConfig) -> str:

@@ -18,6 +18,7 @@ from socialnav_core.prediction.learned import LearnedPredictor, load_predictor
 from socialnav_core.prediction.learned.checkpoint import load_weights, WEIGHTS
 from socialnav_core.storage import arrays_digest, CheckpointError
 from socialnav_core.training.prediction import learning, train_prediction
+from socialnav_core.training.resume import FINISHED_NAME
 
 torch.set_num_threads(1)
 
@@ -48,9 +49,9 @@ def trained(tmp_path_factory):
     return folder
 
 
-def test_a_run_leaves_a_checkpoint_and_no_state(trained):
+def test_a_run_leaves_a_checkpoint_and_the_state_to_make_it_longer(trained):
     names = {path.name for path in trained.iterdir()}
-    assert names == {WEIGHTS, 'config.yaml', 'progress.csv'}
+    assert names == {WEIGHTS, 'config.yaml', 'progress.csv', FINISHED_NAME}
 
 
 def test_the_same_seed_gives_the_same_weights_and_another_one_others(trained, tmp_path):
