@@ -4,6 +4,7 @@ import math
 from pathlib import Path
 
 from socialnav_core.config import Config, ConfigError, Scenario
+from socialnav_core.config.prediction import PredictionConfig
 
 GIBIBYTE = 2**30
 ROBOT_BYTES, AGENT_BYTES = 32, 32
@@ -12,6 +13,8 @@ STATE_BYTES = 400
 """What the arrays of a simulator hold of each agent, with copies."""
 RECORD_BYTES = 400
 """What is kept of each episode that was measured."""
+SHORTEST_STEP, MOST_PEOPLE, PERSON_BYTES, INPUTS = 0.1, 30, 24, 200
+"""Of recorded crowds: time between moments, s; people of a world; bytes and inputs of each."""
 
 
 def require_memory(needed: float, purpose: str) -> None:
@@ -68,6 +71,17 @@ def worlds_bytes(worlds: int, scenario: Scenario, actions: int = 1) -> float:
 def evaluation_bytes(episodes: int, worlds: int, scenario: Scenario, actions: int = 1) -> float:
     """Return what an evaluation of a number of cases needs, bytes."""
     return RECORD_BYTES * float(episodes) + worlds_bytes(worlds, scenario, actions)
+
+
+def prediction_bytes(config: PredictionConfig) -> float:
+    """Return what a training of the prediction needs at most, bytes: crowds, and one batch."""
+    crowds, settings = config.crowds, config.training
+    groups = float(crowds.groups + crowds.validation_groups)
+    recorded = groups * crowds.worlds * MOST_PEOPLE * crowds.duration / SHORTEST_STEP
+    drawn = settings.recordings_per_update * settings.moments_per_recording
+    validated = crowds.validation_groups * settings.moments_per_recording
+    examples = float(MOST_PEOPLE) * (drawn + validated)
+    return PERSON_BYTES * recorded + 12.0 * examples * (3 * settings.width + INPUTS)
 
 
 def training_bytes(config: Config) -> float:

@@ -2,6 +2,8 @@
 
 import json
 from pathlib import Path
+import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -11,7 +13,7 @@ import pytest
 import torch
 
 from socialnav_core import __version__, cli
-from socialnav_core.commands import arguments, files
+from socialnav_core.commands import arguments, files, render
 from socialnav_core.commands.arguments import one_line
 from socialnav_core.commands.models import headline
 from socialnav_core.config import Config, PolicyConfig
@@ -20,6 +22,7 @@ from socialnav_core.policies.value import checkpoint as checkpoints
 from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario
 from socialnav_core.simulation.random_streams import SPLITS
+from socialnav_core.training import TrainingInterrupted
 
 QUICK = ['--scenario', 'simple', '--episodes', '6']
 JSON_FIELDS = {
@@ -435,3 +438,29 @@ def test_a_full_disk_behind_standard_output_is_told_in_one_line():
 def test_a_message_is_one_line_that_a_terminal_obeys_in_nothing():
     assert one_line('a\nb\x1b[2J\x07') == 'a b\\x1b[2J\\x07'
     assert len(one_line('x' * 10**6)) < 1000
+
+
+@pytest.mark.parametrize('example', render.EXAMPLES.splitlines())
+def test_the_examples_of_render_reach_their_goals(example, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert run('render', *shlex.split(example)) == 0
+    assert 'goal reached' in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    'text', ['{', '[]', '{"simple": 3}', '{"simple": {}}', '\x00', '[' * 9999]
+)
+def test_damaged_metrics_of_a_model_are_told_in_its_row(text, checkpoint, tmp_path, capsys):
+    shutil.copytree(checkpoint, tmp_path / 'models' / 'one')
+    (tmp_path / 'models' / 'one' / 'metrics.json').write_text(text)
+    assert run('models', tmp_path / 'models') == 0
+    assert 'metrics.json is damaged' in capsys.readouterr().out
+
+
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+def test_a_training_that_saved_itself_ends_with_the_number_of_the_signal(number, monkeypatch):
+    def stopped(given):
+        raise TrainingInterrupted('go on with ...', number)
+
+    monkeypatch.setattr('socialnav_core.commands.metrics.run', stopped)
+    assert run('metrics') == 128 + number

@@ -19,7 +19,7 @@ from socialnav_core.config import ConfigError
 
 EXAMPLES = """orca --scenario hard --seed 7 --case 3
 sarl --scenario crowd20 --case 12 --out crossing.gif
-sarl --scenario curriculum-2.5 --case 0 --out paths.png
+sarl_curriculum --scenario curriculum-2.5 --case 0 --out paths.png
 sarl --scenario hard --case 2 --bag episode.mcap"""
 
 FORMATS = ('.gif', '.mp4', '.png')

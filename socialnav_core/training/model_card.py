@@ -10,7 +10,7 @@ from socialnav_core.metrics import Metric, Place, shown_in
 from socialnav_core.policies.value.checkpoint import Checkpoint
 from socialnav_core.prediction import knowledge_of
 from socialnav_core.simulation.kinematics import kinematics_of
-from socialnav_core.storage import atomic_write
+from socialnav_core.storage import atomic_write, CheckpointError
 from socialnav_core.tables import markdown_table, number
 from socialnav_core.training.progress import CSV_NAME
 
@@ -78,9 +78,21 @@ def change_text(change: tuple[str, Any]) -> str:
 
 
 def read_metrics(folder: Path) -> dict[str, Any]:
-    """Return the results of a checkpoint, empty where there are none."""
+    """
+    Return the results of a checkpoint, empty where there are none.
+
+    :raises CheckpointError: when the file holds something else.
+    """
     path = folder / METRICS_NAME
-    return json.loads(path.read_text(encoding='utf-8')) if path.is_file() else {}
+    if not path.is_file():
+        return {}
+    try:
+        metrics = json.loads(path.read_text(encoding='utf-8'))
+    except (ValueError, RecursionError) as error:
+        raise CheckpointError(f'{path} is damaged ({error}); delete it') from error
+    if not isinstance(metrics, dict):
+        raise CheckpointError(f'{path} holds no results; delete it')
+    return metrics
 
 
 def write_model_card(folder: Path, checkpoint: Checkpoint) -> None:

@@ -1,6 +1,7 @@
 """Laws of training the prediction."""
 
 import dataclasses
+import shutil
 
 from crowd_states import last_prediction, random_state, sequence
 import numpy as np
@@ -130,3 +131,21 @@ def test_the_configuration_that_comes_with_the_package_is_read_and_changed():
 def test_an_unknown_setting_names_the_nearest():
     with pytest.raises(ConfigError, match='did you mean updates'):
         read_prediction_config('mixed', {'training.update': 7})
+
+
+def test_a_training_that_would_not_fit_into_memory_is_refused_before_it_begins(tmp_path):
+    crowds = dataclasses.replace(TINY.crowds, groups=100_000, worlds=4096, duration=600.0)
+    with pytest.raises(ConfigError, match='GiB'):
+        train_prediction(dataclasses.replace(TINY, crowds=crowds), tmp_path / 'run')
+    assert not (tmp_path / 'run').exists()
+
+
+def test_a_finished_run_goes_on_when_it_is_made_longer(trained, tmp_path):
+    folder = tmp_path / 'tiny'
+    shutil.copytree(trained, folder)
+    with pytest.raises(ConfigError, match='finished after training.updates = 6.*=12'):
+        train_prediction(TINY, folder, resume=True, progress=False)
+    longer = dataclasses.replace(TINY.training, updates=8)
+    train_prediction(dataclasses.replace(TINY, training=longer), folder, resume=True)
+    rows = (folder / 'progress.csv').read_text().splitlines()
+    assert [row.partition(',')[0] for row in rows[1:]] == ['2', '4', '6', '8']

@@ -10,6 +10,7 @@ from torch import nn
 
 from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config.prediction import PredictionConfig, PredictionTrainingConfig
+from socialnav_core.memory import prediction_bytes, require_memory
 from socialnav_core.prediction.learned.checkpoint import save_weights
 from socialnav_core.progress import progress_bar
 from socialnav_core.threads import chosen_threads
@@ -48,6 +49,7 @@ def train_prediction(
     :raises CheckpointError: when the state cannot be written.
     :raises TrainingInterrupted: after Ctrl-C or SIGTERM; the run was saved.
     """
+    require_memory(prediction_bytes(config), 'the training')
     with own_folder(out, resume, overwrite):
         run_in_folder(config, out, resume, progress)
 
