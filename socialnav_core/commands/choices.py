@@ -1,14 +1,18 @@
 """Scenarios and policies as they were asked for on the command line."""
 
 import argparse
+import os
+from pathlib import Path
 from typing import Any, TYPE_CHECKING
 
-from socialnav_core.config import ConfigError, Scenario
+from socialnav_core.config import ConfigError, make_scenario, read_scenario, Scenario
 from socialnav_core.config.mapping import parse_assignments, replace
 
 if TYPE_CHECKING:  # torch takes a second, which --help need not
     from socialnav_core.policies import Policy
 
+ENDINGS = ('.yaml', '.yml')
+"""Of files of scenarios; what holds a / is one too."""
 SECTIONS = ('scenario', 'policy')
 
 
@@ -30,10 +34,14 @@ def chosen_scenario(given: argparse.Namespace) -> Scenario:
 
     :raises ConfigError: for an unknown scenario or setting.
     """
-    from socialnav_core.simulation import make_scenario
-
-    scenario = make_scenario(given.scenario)
+    name = given.scenario
+    scenario = read_scenario(Path(name)) if is_file(name) else make_scenario(name)
     return replace(scenario, chosen_settings(given)['scenario'], 'scenario')
+
+
+def is_file(scenario: str) -> bool:
+    """Return whether a scenario was asked for by a file, and not by a name."""
+    return scenario.endswith(ENDINGS) or os.sep in scenario
 
 
 def chosen_settings(given: argparse.Namespace) -> dict[str, dict[str, Any]]:

@@ -9,8 +9,9 @@ from socialnav_core.commands.arguments import (
     add_command,
     add_overwrite_option,
     add_world_options,
+    EPISODES,
     MODEL_HELP,
-    positive_number,
+    whole_number,
 )
 from socialnav_core.commands.choices import (
     chosen_overrides,
@@ -52,7 +53,7 @@ def add_parser(commands: Any) -> None:
 def add_episodes_option(parser: argparse.ArgumentParser) -> None:
     """Add `--episodes`."""
     parser.add_argument(
-        '--episodes', type=positive_number, default=500, metavar='N', help='cases (500)'
+        '--episodes', type=whole_number(*EPISODES), default=500, metavar='N', help='cases (500)'
     )
 
 

@@ -9,7 +9,7 @@ from socialnav_core.commands.arguments import (
     add_command,
     add_overwrite_option,
     add_threads_option,
-    positive_number,
+    SEED,
     whole_number,
 )
 from socialnav_core.commands.choices import use_threads
@@ -37,11 +37,11 @@ def add_parser(commands: Any) -> None:
         help='files of recorded people, a line `frame person x y` each 0.4 s',
     )  # fmt: skip
     parser.add_argument(
-        '--groups', type=positive_number, default=6, metavar='N',
+        '--groups', type=whole_number(1, 10_000), default=6, metavar='N',
         help='recordings of each crowd, 12 worlds of 20 s each (6)',
     )  # fmt: skip
     parser.add_argument(
-        '--seed', type=whole_number, default=0, metavar='N', help='seed of the crowds (0)'
+        '--seed', type=whole_number(*SEED), default=0, metavar='N', help='seed of the crowds (0)'
     )
     parser.add_argument(
         '--split', choices=('validation', 'test'), default='test', help='of the crowds (test)'

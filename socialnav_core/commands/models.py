@@ -104,9 +104,12 @@ def headlines(path: Path) -> str:
     """
     if not path.is_file():
         return '-'
-    results = json.loads(path.read_text(encoding='utf-8'))
-    plain = [result for key, result in results.items() if '+' not in key][:HEADLINES]
-    return ', '.join(headline(result) for result in plain) or '-'
+    try:
+        results = json.loads(path.read_text(encoding='utf-8'))
+        plain = [result for key, result in results.items() if '+' not in key][:HEADLINES]
+        return ', '.join(headline(result) for result in plain) or '-'
+    except (OSError, ValueError, TypeError, AttributeError, KeyError, RecursionError):
+        return f'{path.name} is damaged'
 
 
 def headline(result: dict[str, Any]) -> str:

@@ -9,16 +9,17 @@ from socialnav_core.commands.arguments import (
     add_command,
     add_overwrite_option,
     add_world_options,
+    CASE,
     MODEL_HELP,
     whole_number,
 )
-from socialnav_core.commands.choices import chosen_scenario, open_policy
+from socialnav_core.commands.choices import chosen_scenario, is_file, open_policy
 from socialnav_core.commands.files import require_new
 from socialnav_core.config import ConfigError
 
 EXAMPLES = """orca --scenario hard --seed 7 --case 3
 sarl --scenario crowd20 --case 12 --out crossing.gif
-sarl --scenario curriculum-2.5 --case 0 --out paths.png
+sarl_curriculum --scenario curriculum-2.5 --case 0 --out paths.png
 sarl --scenario hard --case 2 --bag episode.mcap"""
 
 FORMATS = ('.gif', '.mp4', '.png')
@@ -35,7 +36,7 @@ def add_parser(commands: Any) -> None:
     parser.add_argument('model', metavar='MODEL', help=MODEL_HELP)
     add_world_options(parser)
     parser.add_argument(
-        '--case', type=whole_number, default=0, metavar='I', help='index of the case (0)'
+        '--case', type=whole_number(*CASE), default=0, metavar='I', help='index of the case (0)'
     )
     parser.add_argument(
         '--out', type=Path, metavar='FILE',
@@ -49,6 +50,7 @@ def add_parser(commands: Any) -> None:
 
 def run(given: argparse.Namespace) -> None:
     """Run the command."""
+    from socialnav_core.config.scenarios import changes_of, title_of
     from socialnav_core.viewing import record
     from socialnav_core.viewing.recording import summary
 
@@ -61,16 +63,19 @@ def run(given: argparse.Namespace) -> None:
     policy = open_policy(given.model, given)
     recording = record(policy, scenario, given.seed, given.case, given.split, name)
     look_ahead = f', look-ahead {recording.look_ahead}' if recording.look_ahead else ''
+    changes = changes_of(scenario)
+    world = f', in {title_of(scenario.name, changes)}' if changes else ''
     for path in paths:
         write(recording, path)
-        print(f'{path}: {summary(recording)}{look_ahead}')
+        print(f'{path}: {summary(recording)}{look_ahead}{world}')
 
 
 def picture_path(given: argparse.Namespace, name: str) -> Path | None:
     """Return where the picture goes; None where only a bag is wanted."""
     if given.out is not None or given.bag is not None:
         return given.out
-    return Path('out', 'render', f'{name}-{given.scenario}-{given.seed}-{given.case}.gif')
+    scenario = Path(given.scenario).stem if is_file(given.scenario) else given.scenario
+    return Path('out', 'render', f'{name}-{scenario}-{given.seed}-{given.case}.gif')
 
 
 def require_format(path: Path, formats: tuple[str, ...]) -> None:

@@ -19,7 +19,9 @@ if TYPE_CHECKING:  # torch takes a second, which --help need not
 EXAMPLES = """quick
 sarl --out out/sarl --seed 1
 sarl_curriculum --set training.learning_rate=5e-4 scenario.time_limit=35
-sarl --out out/sarl --resume"""
+sarl --out out/sarl --resume
+out/sarl/config.yaml --out out/sarl --resume --set training.iterations=200
+sarl --init sarl --out out/tuned --set scenario=hard training.iterations=20"""
 
 VALIDATION_EPISODES = 500
 
@@ -29,6 +31,10 @@ def add_parser(commands: Any) -> None:
     summary = 'Train a value network by imitation of ORCA, then by value learning.'
     parser = add_command(commands, 'train', run, summary, EXAMPLES)
     add_training_options(parser, 'training.learning_rate=3e-4', 'weights, cases and exploration')
+    parser.add_argument(
+        '--init', metavar='MODEL',
+        help='begin with the weights of this checkpoint, in place of imitation (random ones)',
+    )  # fmt: skip
 
 
 def run(given: argparse.Namespace) -> None:
@@ -44,6 +50,7 @@ def run(given: argparse.Namespace) -> None:
         out,
         resume=given.resume,
         overwrite=given.overwrite,
+        init=given.init,
         evaluate=functools.partial(validate, name=config.name, seed=config.seed),
     )
     print(f'{out}: trained; measure it with socialnav evaluate {out} --scenario NAME')

@@ -3,17 +3,24 @@
 from collections.abc import Collection, Iterable, Mapping
 import dataclasses
 import difflib
-from pathlib import Path
-import typing
+import math
+import types
 from typing import Any, TypeVar
 
 import yaml
 
+from socialnav_core.config.documents import DEEPEST, parse_yaml
+from socialnav_core.config.ranges import (
+    ConfigError,
+    hints_of,
+    OneOf,
+    plain_and_rules,
+    require_rule,
+    shown,
+)
+
 Settings = TypeVar('Settings')
-
-
-class ConfigError(ValueError):
-    """A setting that does not exist or cannot have the value given."""
+LONGEST_ASSIGNMENT = 10_000  # characters
 
 
 def require(condition: bool, message: str) -> None:
@@ -24,7 +31,8 @@ def require(condition: bool, message: str) -> None:
 
 def require_choice(name: str, value: str, choices: Collection[str]) -> None:
     """Raise a ConfigError unless a value is one of the choices."""
-    require(value in choices, f'{name} must be one of {", ".join(choices)}, not {value!r}')
+    refusal = OneOf(choices).refusal(value)
+    require(refusal is None, f'{name} {refusal}')
 
 
 def to_mapping(settings: Any) -> dict[str, Any]:
@@ -37,21 +45,23 @@ def from_mapping(kind: type[Settings], values: Mapping[str, Any], where: str = '
     Build a dataclass from nested mappings; fields that are not named keep their defaults.
 
     :param where: dotted path of the mapping, for messages.
-    :raises ConfigError: for an unknown key, a missing one or a value of the wrong type.
+    :raises ConfigError: for an unknown key, a missing one or a value that it cannot have.
     """
     if not isinstance(values, Mapping):
-        raise ConfigError(f'{where or "the configuration"} must be a mapping, not {values!r}')
-    types = typing.get_type_hints(kind)
+        raise ConfigError(
+            f'{where or "the configuration"} must be a mapping, not {shown(values)}', where
+        )
+    hints = hints_of(kind)  # type: ignore[arg-type]  # a class can be hashed
     for key in values:
-        if key not in types:
-            raise ConfigError(unknown_key(where, str(key), types))
+        if key not in hints:
+            raise ConfigError(unknown_key(where, str(key), hints), join(where, str(key)))
+    for field in dataclasses.fields(kind):  # type: ignore[arg-type]
+        if field.default is dataclasses.MISSING and field.name not in values:
+            raise ConfigError(f'{join(where, field.name)} is missing', where)
     converted = {
-        key: convert(types[key], value, join(where, key)) for key, value in values.items()
+        key: convert(hints[key], value, join(where, key)) for key, value in values.items()
     }
-    try:
-        return kind(**converted)
-    except TypeError as error:
-        raise ConfigError(f'{where or "the configuration"}: {error}') from error
+    return kind(**converted)
 
 
 def replace(settings: Settings, assignments: Mapping[str, Any], where: str = '') -> Settings:
@@ -75,6 +85,8 @@ def assign(values: dict[str, Any], path: str, value: Any) -> None:
     Whether there is such a setting comes out when the mapping becomes a dataclass.
     """
     *sections, last = path.split('.')
+    if len(sections) > DEEPEST:
+        raise ConfigError(unknown_key('', path, values))
     for section in sections:
         inner = values.get(section)
         values[section] = dict(inner) if isinstance(inner, Mapping) else {}
@@ -107,25 +119,12 @@ def parse_assignments(texts: Iterable[str]) -> dict[str, Any]:
     assignments = {}
     for text in texts:
         key, equals, value = text.partition('=')
-        if not key or not equals:
-            raise ConfigError(f'{text!r} is not of the form section.key=value')
-        assignments[key.strip()] = yaml.safe_load(value)
+        if not key.strip() or not equals:
+            raise ConfigError(f'{shown(text)} is not of the form section.key=value')
+        if len(text) > LONGEST_ASSIGNMENT:
+            raise ConfigError(f'--set {shown(key)}: longer than {LONGEST_ASSIGNMENT} characters')
+        assignments[key.strip()] = parse_yaml(value, f'--set {shown(key.strip())}')
     return assignments
-
-
-def read_yaml(path: Path) -> dict[str, Any]:
-    """
-    Return the mapping that a YAML file holds.
-
-    :raises ConfigError: when it cannot be read or holds no mapping.
-    """
-    try:
-        values = yaml.safe_load(path.read_text(encoding='utf-8'))
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise ConfigError(f'{path} cannot be read: {" ".join(str(error).split())}') from error
-    if not isinstance(values, dict):
-        raise ConfigError(f'{path} must hold a mapping of settings')
-    return values
 
 
 def to_yaml(settings: Any) -> str:
@@ -133,23 +132,42 @@ def to_yaml(settings: Any) -> str:
     return yaml.safe_dump(to_mapping(settings), sort_keys=False)
 
 
-def convert(kind: Any, value: Any, where: str) -> Any:
+def convert(hint: Any, value: Any, where: str) -> Any:
     """
     Return a value as the type of its field; whole numbers pass for floats and nothing else does.
 
-    :param kind: bool, int, float, str or a dataclass.
+    :param hint: bool, int, float, str, a dataclass or a pair of floats that may be None, annotated
+        by the rule that the value must obey.
     :param where: dotted path of the field, for messages.
-    :raises ConfigError: when the types do not fit.
+    :raises ConfigError: when the types do not fit, or for a value that the rule refuses.
     """
+    kind, *rules = plain_and_rules(hint)
     if isinstance(kind, type) and dataclasses.is_dataclass(kind):
         return value if isinstance(value, kind) else from_mapping(kind, value, where)
-    if kind is float and isinstance(value, str):  # YAML 1.1 reads 1e-3 as text
-        value = number_from_text(value)
-    if kind is float and isinstance(value, int) and not isinstance(value, bool):
-        return float(value)
-    if type(value) is not kind:
-        raise ConfigError(f'{where} must be a value of type {kind.__name__}, not {value!r}')
+    if isinstance(kind, types.UnionType):  # a place, or none
+        numbers = value if isinstance(value, (list, tuple)) else ()
+        value = tuple(as_float(number) for number in numbers) or value
+    else:
+        value = as_float(value) if kind is float else value
+        if type(value) is not kind:
+            raise ConfigError(
+                f'{where} must be a value of type {kind.__name__}, not {shown(value)}', where
+            )
+    for rule in rules:
+        require_rule(kind, rule, value, where)
     return value
+
+
+def as_float(value: Any) -> Any:
+    """Return a number, or the text of one (YAML 1.1 reads 1e-3 as text), as a float."""
+    if isinstance(value, str):
+        return number_from_text(value)
+    if type(value) is not int:
+        return value
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf
 
 
 def number_from_text(text: str) -> float | str:
@@ -166,13 +184,13 @@ def unknown_key(where: str, key: str, known: Iterable[str]) -> str:
 
     :param where: dotted path of the mapping.
     """
-    return f'unknown setting {join(where, key)!r}; {hint(key, known)}'
+    return f'unknown setting {shown(join(where, key))}; {hint(key, known)}'
 
 
 def hint(key: str, known: Iterable[str]) -> str:
     """Return which of the names that exist may be meant by one that does not."""
     names = list(known)
-    nearest = difflib.get_close_matches(key, names, n=1, cutoff=0.5)
+    nearest = difflib.get_close_matches(key[:100], names, n=1, cutoff=0.5)
     return f'did you mean {nearest[0]}?' if nearest else f'there are: {", ".join(names)}'
 
 

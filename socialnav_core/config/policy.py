@@ -2,11 +2,14 @@
 
 import dataclasses
 import math
+from typing import Annotated
 
-from socialnav_core.config.mapping import require, require_choice
+from socialnav_core.config.mapping import require
+from socialnav_core.config.ranges import OneOf, Range, require_allowed
 from socialnav_core.config.scenario import KINEMATICS, RewardConfig
 
 NETWORKS = ('sarl', 'gat4sn', 'gat4sn_linear', 'gat4sn_v2')
+MOST_ACTIONS = 5000
 
 
 @dataclasses.dataclass(frozen=True)
@@ -15,37 +18,41 @@ class ScreeningConfig:
 
     enabled: bool = False
     """Whether actions are screened."""
-    horizon: float = 1.5
+    horizon: Annotated[float, Range(0, 30)] = 1.5
     """How long the escape must stay free, s."""
-    margin: float = 0.02
+    margin: Annotated[float, Range(0, 5)] = 0.02
     """Clearance to keep from obstacles, m."""
-    moving_margin: float = 0.1
+    moving_margin: Annotated[float, Range(0, 5)] = 0.1
     """Clearance to keep from walking pedestrians, m."""
-    standing_margin: float = 0.25
+    standing_margin: Annotated[float, Range(0, 5)] = 0.25
     """Clearance to keep from standing pedestrians, m."""
+
+    def __post_init__(self) -> None:
+        """Refuse values out of range."""
+        require_allowed(self)
 
 
 @dataclasses.dataclass(frozen=True)
 class PolicyConfig:
     """A value network and the way it chooses an action."""
 
-    network: str = 'sarl'
+    network: Annotated[str, OneOf(NETWORKS)] = 'sarl'
     """Value network: sarl, gat4sn, gat4sn_linear (no LeakyReLU in its attention) or gat4sn_v2."""
-    heads: int = 4
+    heads: Annotated[int, Range(1, 64)] = 4
     """Attention heads of the gat4sn networks."""
-    speeds: int = 2
+    speeds: Annotated[int, Range(1, 50)] = 2
     """Number of speeds of the action set, spaced exponentially up to the preferred speed."""
-    headings: int = 8
+    headings: Annotated[int, Range(1, 360)] = 8
     """Number of headings (holonomic) or turn rates (differential) of the action set."""
-    max_turn_rate: float = math.pi
+    max_turn_rate: Annotated[float, Range(0.01, 20)] = math.pi
     """Largest turn rate of the action set of a differential drive, rad/s."""
-    kinematics: str = 'holonomic'
+    kinematics: Annotated[str, OneOf(KINEMATICS)] = 'holonomic'
     """Motion of the robot: holonomic or differential."""
     lookahead: str = 'constant_velocity'
     """Prediction of the pedestrians: a name in prediction.PREDICTIONS."""
-    time_step: float = 0.25
+    time_step: Annotated[float, Range(0.01, 2)] = 0.25
     """Time that an action lasts, s."""
-    goal_tolerance: float = 0.3
+    goal_tolerance: Annotated[float, Range(0.001, 5)] = 0.3
     """Distance at which the goal counts as reached, m."""
     reward: RewardConfig = RewardConfig()
     """Reward that the network was trained on."""
@@ -53,8 +60,14 @@ class PolicyConfig:
     """Screening of actions by safety."""
 
     def __post_init__(self) -> None:
-        """Refuse values that describe no policy."""
-        require_choice('policy.network', self.network, NETWORKS)
-        require_choice('kinematics', self.kinematics, KINEMATICS)
-        require(self.heads >= 1, 'policy.heads must be at least 1')
-        require(self.speeds >= 1 and self.headings >= 1, 'policy: the action set is empty')
+        """Refuse values out of range."""
+        require_allowed(self)
+        require(
+            self.speeds * self.headings <= MOST_ACTIONS,
+            f'policy: speeds times headings must be at most {MOST_ACTIONS}',
+        )
+
+    @property
+    def actions(self) -> int:
+        """Return the number of actions that a decision weighs, the stop among them."""
+        return self.speeds * self.headings + 1

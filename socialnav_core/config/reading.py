@@ -4,9 +4,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from socialnav_core.config.mapping import assign, ConfigError, from_mapping, read_yaml, to_mapping
+from socialnav_core.config.documents import read_yaml, told_with_place
+from socialnav_core.config.mapping import assign, ConfigError, from_mapping, to_mapping
 from socialnav_core.config.planner import PlannerConfig
 from socialnav_core.config.prediction import PredictionConfig
+from socialnav_core.config.ranges import shown
 from socialnav_core.config.scenarios import resolve_scenario
 from socialnav_core.config.training import Config
 
@@ -29,12 +31,13 @@ def read_config(source: str | Path, assignments: Mapping[str, Any] | None = None
     """
     path = find_config(source, RECIPES)
     values = read_values(path, assignments or {})
-    if 'scenario' not in values:
-        raise ConfigError(f'{path} names no scenario; add a line such as scenario: simple')
-    scenario = resolve_scenario(values['scenario'])
-    policy = values.get('policy') or {}
-    values |= {'scenario': scenario, 'policy': with_shared(policy, to_mapping(scenario))}
-    return from_mapping(Config, values)
+    with told_with_place(path, assignments or {}):
+        if 'scenario' not in values:
+            raise ConfigError('there is no scenario; add a line such as scenario: simple')
+        scenario = resolve_scenario(values['scenario'])
+        policy = values.get('policy') or {}
+        values |= {'scenario': scenario, 'policy': with_shared(policy, to_mapping(scenario))}
+        return from_mapping(Config, values)
 
 
 def read_prediction_config(
@@ -47,8 +50,10 @@ def read_prediction_config(
     :param assignments: dotted settings and their values, such as {'training.updates': 1000}.
     :raises ConfigError: when the file or a setting does not exist or makes no sense.
     """
-    values = read_values(find_config(source, PREDICTIONS), assignments or {})
-    return from_mapping(PredictionConfig, values)
+    path = find_config(source, PREDICTIONS)
+    values = read_values(path, assignments or {})
+    with told_with_place(path, assignments or {}):
+        return from_mapping(PredictionConfig, values)
 
 
 def read_planner_config(
@@ -61,8 +66,10 @@ def read_planner_config(
     :param assignments: dotted settings and their values, such as {'training.rounds': 2}.
     :raises ConfigError: when the file or a setting does not exist or makes no sense.
     """
-    values = read_values(find_config(source, PLANNERS), assignments or {})
-    return from_mapping(PlannerConfig, values)
+    path = find_config(source, PLANNERS)
+    values = read_values(path, assignments or {})
+    with told_with_place(path, assignments or {}):
+        return from_mapping(PlannerConfig, values)
 
 
 def read_values(path: Path, assignments: Mapping[str, Any]) -> dict[str, Any]:
@@ -99,11 +106,12 @@ def with_shared(policy: Mapping[str, Any], scenario: Mapping[str, Any]) -> dict[
     :raises ConfigError: when the policy has another value than the scenario.
     """
     if not isinstance(policy, Mapping):
-        raise ConfigError(f'policy must be a mapping, not {policy!r}')
+        raise ConfigError(f'policy must be a mapping, not {shown(policy)}', 'policy')
     for name in SHARED:
         if name in policy and policy[name] != scenario[name]:
             raise ConfigError(
-                f'policy.{name} is {policy[name]!r} but scenario.{name} is {scenario[name]!r}; '
-                'set it in the scenario alone'
+                f'policy.{name} is {shown(policy[name])} but scenario.{name} is '
+                f'{shown(scenario[name])}; set it in the scenario alone',
+                f'policy.{name}',
             )
     return dict(policy) | {name: scenario[name] for name in SHARED}

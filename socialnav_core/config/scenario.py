@@ -1,8 +1,11 @@
 """Settings of a world: who is in it, how people move, what a step is worth."""
 
 import dataclasses
+import math
+from typing import Annotated
 
-from socialnav_core.config.mapping import require, require_choice
+from socialnav_core.config.mapping import require
+from socialnav_core.config.ranges import NAME, OneOf, Point, Range, require_allowed
 
 KINEMATICS = ('holonomic', 'differential')
 CROWDS = {
@@ -10,100 +13,110 @@ CROWDS = {
     'non_reactive': 'people walk straight to their goals and react to nobody',
 }
 """What moves the people, by the names of the files in simulation/crowds."""
-POSITIVE_SCENARIO_FIELDS = (
-    'spawn_half_width', 'circle_radius', 'minimum_travel', 'bounds', 'pedestrian_radius',
-    'pedestrian_speed', 'robot_radius', 'robot_preferred_speed', 'goal_tolerance', 'time_step',
-    'time_limit',
-)  # fmt: skip
+LAYOUTS = ('square_crossing', 'circle_crossing')
+FARTHEST = 1000.0
+"""Largest coordinate of a start or goal that is chosen, m."""
 
 
 @dataclasses.dataclass(frozen=True)
 class OrcaConfig:
     """Optimal reciprocal collision avoidance (van den Berg et al. 2011)."""
 
-    neighbor_distance: float = 10.0
+    neighbor_distance: Annotated[float, Range(0, 1000)] = 10.0
     """Agents whose centres are farther than this are ignored, m."""
-    max_neighbors: int = 10
+    max_neighbors: Annotated[int, Range(0, 1000)] = 10
     """The nearest so many agents, by centre distance, are avoided."""
-    time_horizon: float = 5.0
+    time_horizon: Annotated[float, Range(0.01, 100)] = 5.0
     """Collisions within this time are avoided, s."""
-    safety_space: float = 0.0
+    safety_space: Annotated[float, Range(0, 5)] = 0.0
     """Added to every radius, m, besides the constant 0.01 m."""
-    static_responsibility: float = 0.5
+    static_responsibility: Annotated[float, Range(0, 1)] = 0.5
     """Share of a conflict with an obstacle that the mover takes; 1 solves it alone."""
+
+    def __post_init__(self) -> None:
+        """Refuse values out of range."""
+        require_allowed(self)
 
 
 @dataclasses.dataclass(frozen=True)
 class RewardConfig:
     """Reward of one step; terms as in CrowdNav and in the founding report."""
 
-    goal: float = 1.0
+    goal: Annotated[float, Range(-1000, 1000)] = 1.0
     """For a step that ends at the goal."""
-    collision: float = -0.25
+    collision: Annotated[float, Range(-1000, 1000)] = -0.25
     """For a step in which the robot touches a pedestrian or an obstacle."""
-    out_of_bounds: float = -0.25
+    out_of_bounds: Annotated[float, Range(-1000, 1000)] = -0.25
     """For a step that ends outside of the walls."""
-    discomfort_distance: float = 0.2
+    discomfort_distance: Annotated[float, Range(0, 10)] = 0.2
     """Clearance below which a step is penalised, m."""
-    discomfort_factor: float = 0.5
+    discomfort_factor: Annotated[float, Range(0, 1000)] = 0.5
     """Penalty per metre of missing clearance and per second."""
     walls_discomfort: bool = True
     """Whether clearance to the walls counts for discomfort."""
-    discount: float = 0.9
+    discount: Annotated[float, Range(0.001, 1)] = 0.9
     """Discount per metre at preferred speed: gamma ** (time_step * preferred_speed) per step."""
+
+    def __post_init__(self) -> None:
+        """Refuse values out of range."""
+        require_allowed(self)
 
 
 @dataclasses.dataclass(frozen=True)
 class Scenario:
     """A world: who is in it, how an episode starts and when it ends."""
 
-    name: str
+    name: Annotated[str, NAME]
     """Name of the family member, such as hard or curriculum-1.5."""
-    pedestrians: int = 5
+    pedestrians: Annotated[int, Range(0, 1000)] = 5
     """Number of pedestrians."""
-    obstacles: int = 5
+    obstacles: Annotated[int, Range(0, 1000)] = 5
     """Number of static, disc-shaped obstacles."""
-    obstacle_radius_min: float = 0.3
+    obstacle_radius_min: Annotated[float, Range(0.01, 100)] = 0.3
     """Smallest obstacle radius, m."""
-    obstacle_radius_max: float = 0.3
+    obstacle_radius_max: Annotated[float, Range(0.01, 100)] = 0.3
     """Largest obstacle radius, m."""
-    hardest_obstacle_ratio: float = 0.0
+    hardest_obstacle_ratio: Annotated[float, Range(0, 1)] = 0.0
     """Share of the obstacles, rounded up, that have the largest radius."""
-    layout: str = 'square_crossing'
+    layout: Annotated[str, OneOf(LAYOUTS)] = 'square_crossing'
     """square_crossing: sides are swapped; circle_crossing: everybody crosses a circle."""
-    spawn_half_width: float = 5.0
+    spawn_half_width: Annotated[float, Range(0.1, 1000)] = 5.0
     """Half the side of the spawn square and radius of the circle of goals, m."""
-    circle_radius: float = 4.0
+    circle_radius: Annotated[float, Range(0.1, 1000)] = 4.0
     """Radius of the circle that is crossed in circle_crossing, m."""
-    minimum_travel: float = 7.5
+    minimum_travel: Annotated[float, Range(0.01, 2000)] = 7.5
     """Least |goal - start| of the robot along one of the axes, m (square_crossing)."""
-    start_noise: float = 1.25
+    start_noise: Annotated[float, Range(0, 1000)] = 1.25
     """Half-width of the noise on the robot's start along each axis, m (square_crossing)."""
-    bounds: float = 7.5
+    bounds: Annotated[float, Range(0.1, 10_000, or_infinite=True)] = 7.5
     """Half-width of the square that must not be left, m; .inf for none."""
     renew_goals: bool = True
     """Whether a pedestrian that arrives gets another goal."""
     randomize_attributes: bool = False
     """Whether pedestrians have speeds of U(0.5, 1.5) m/s and radii of U(0.3, 0.5) m."""
-    pedestrian_radius: float = 0.3
+    pedestrian_radius: Annotated[float, Range(0.01, 10)] = 0.3
     """Radius of a pedestrian, m."""
-    pedestrian_speed: float = 1.0
-    """Preferred and maximum speed of a pedestrian, m/s."""
-    robot_radius: float = 0.3
+    pedestrian_speed: Annotated[float, Range(0, 10)] = 1.0
+    """Preferred and maximum speed of a pedestrian, m/s; 0: all stand."""
+    robot_radius: Annotated[float, Range(0.01, 10)] = 0.3
     """Radius of the robot, m."""
-    robot_preferred_speed: float = 1.0
+    robot_preferred_speed: Annotated[float, Range(0.01, 10)] = 1.0
     """Preferred and maximum speed of the robot, m/s."""
+    robot_start: Annotated[tuple[float, float] | None, Point(FARTHEST)] = None
+    """Where the robot begins, [x, y], m; null: drawn by the layout."""
+    robot_goal: Annotated[tuple[float, float] | None, Point(FARTHEST)] = None
+    """Where the robot shall arrive, [x, y], m; null: drawn by the layout."""
     robot_visible: bool = False
     """Whether pedestrians see the robot and avoid it."""
-    kinematics: str = 'holonomic'
+    kinematics: Annotated[str, OneOf(KINEMATICS)] = 'holonomic'
     """Motion of the robot: holonomic or differential."""
-    crowd: str = 'orca'
+    crowd: Annotated[str, OneOf(CROWDS)] = 'orca'
     """What moves the pedestrians: orca or non_reactive."""
-    goal_tolerance: float = 0.3
+    goal_tolerance: Annotated[float, Range(0.001, 5)] = 0.3
     """The goal is reached when the robot's centre is nearer than this, m."""
-    time_step: float = 0.25
+    time_step: Annotated[float, Range(0.01, 2)] = 0.25
     """Time between two decisions, s."""
-    time_limit: float = 25.0
+    time_limit: Annotated[float, Range(0.01, 3600)] = 25.0
     """Episodes are truncated after this time, s."""
     orca: OrcaConfig = OrcaConfig()
     """How the pedestrians of the crowd orca move."""
@@ -112,21 +125,28 @@ class Scenario:
 
     def __post_init__(self) -> None:
         """Refuse values that describe no world."""
+        require_allowed(self)
         require(
-            self.pedestrians >= 0 and self.obstacles >= 0, 'scenario: negative count of agents'
+            self.obstacle_radius_min <= self.obstacle_radius_max,
+            f'scenario {self.name}: obstacle_radius_min ({self.obstacle_radius_min}) must not be '
+            f'above obstacle_radius_max ({self.obstacle_radius_max})',
         )
-        require(
-            0 < self.obstacle_radius_min <= self.obstacle_radius_max,
-            f'scenario {self.name}: obstacle radii must satisfy 0 < obstacle_radius_min '
-            f'({self.obstacle_radius_min}) <= obstacle_radius_max ({self.obstacle_radius_max})',
-        )
-        require(0 <= self.hardest_obstacle_ratio <= 1, 'hardest_obstacle_ratio must lie in [0, 1]')
-        require_choice('layout', self.layout, ('square_crossing', 'circle_crossing'))
-        require_choice('kinematics', self.kinematics, KINEMATICS)
-        require_choice('crowd', self.crowd, CROWDS)
-        for name in POSITIVE_SCENARIO_FIELDS:
-            require(getattr(self, name) > 0, f'scenario {self.name}: {name} must be positive')
-        require(self.start_noise >= 0, 'scenario: start_noise must not be negative')
+        self._require_places()
+
+    def _require_places(self) -> None:
+        """Refuse a chosen start or goal that the robot cannot be at."""
+        for name in ('robot_start', 'robot_goal'):
+            place, room = getattr(self, name), self.bounds - self.robot_radius
+            require(
+                place is None or max(map(abs, place)) <= room,
+                f'scenario {self.name}: {name} {place} leaves the robot no room within the '
+                f'bounds, {self.bounds:g} m',
+            )
+        if self.robot_start is not None and self.robot_goal is not None:
+            require(
+                math.dist(self.robot_start, self.robot_goal) >= self.goal_tolerance,
+                f'scenario {self.name}: robot_start is within goal_tolerance of robot_goal',
+            )
 
     @property
     def agents(self) -> int:

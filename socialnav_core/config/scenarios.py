@@ -4,10 +4,19 @@ from collections.abc import Mapping
 import dataclasses
 import difflib
 import math
+from pathlib import Path
 import re
 from typing import Any
 
-from socialnav_core.config.mapping import ConfigError, flatten, replace
+from socialnav_core.config.documents import read_yaml, told_with_place
+from socialnav_core.config.mapping import (
+    ConfigError,
+    flatten,
+    from_mapping,
+    replace,
+    to_mapping,
+)
+from socialnav_core.config.ranges import shown
 from socialnav_core.config.scenario import OrcaConfig, RewardConfig, Scenario
 
 CURRICULUM_RADIUS = (0.3, 2.5)
@@ -55,11 +64,11 @@ def make_scenario(name: str) -> Scenario:
     if name in _FIXED:
         return _FIXED[name]
     family, _, text = name.partition('-')
-    if family in ('curriculum', 'packed') and re.fullmatch(r'\d+(\.\d+)?', text):
+    if family in ('curriculum', 'packed') and re.fullmatch(r'[0-9]{1,9}(\.[0-9]{1,9})?', text):
         return growing_scenario(family, float(text))
-    nearest = difflib.get_close_matches(name, SCENARIOS, n=1, cutoff=0.4)
+    nearest = difflib.get_close_matches(name[:100], SCENARIOS, n=1, cutoff=0.4)
     hint = f'did you mean {nearest[0]}? ' if nearest else ''
-    raise ConfigError(f'unknown scenario {name!r}; {hint}there are: {", ".join(SCENARIOS)}')
+    raise ConfigError(f'unknown scenario {shown(name)}; {hint}there are: {", ".join(SCENARIOS)}')
 
 
 def growing_scenario(family: str, radius: float) -> Scenario:
@@ -83,15 +92,77 @@ def resolve_scenario(value: str | Mapping[str, Any]) -> Scenario:
     """
     Return the scenario of a name, or of a mapping with a name and settings that differ.
 
+    A mapping with a name of one's own must hold every setting.
+
     :param value: as found in a YAML file, such as {'name': 'hard', 'time_limit': 35}.
     :raises ConfigError: for an unknown name or setting.
     """
     if isinstance(value, str):
         return make_scenario(value)
     if not isinstance(value, Mapping) or not isinstance(value.get('name'), str):
-        raise ConfigError('scenario must be a name or a mapping with a name')
-    settings = {key: setting for key, setting in value.items() if key != 'name'}
-    return replace(make_scenario(value['name']), flatten(settings), 'scenario')
+        raise ConfigError('scenario must be a name or a mapping with a name', 'scenario')
+    settings = flatten({key: setting for key, setting in value.items() if key != 'name'})
+    try:
+        known = make_scenario(value['name'])
+    except ConfigError as error:
+        require_complete(settings, error)
+        return from_mapping(Scenario, value, 'scenario')
+    return replace(known, settings, 'scenario')
+
+
+def require_complete(settings: Mapping[str, Any], unknown: ConfigError) -> None:
+    """
+    Raise a ConfigError unless settings say everything about a world but its name.
+
+    :param unknown: why its name is none of the package's.
+    """
+    everything = flatten(to_mapping(_FIXED['simple']))
+    missing = sorted(everything.keys() - settings.keys() - {'name'})
+    if missing:
+        raise ConfigError(
+            f'{unknown}; a scenario of your own must say everything, and {", ".join(missing[:3])}'
+            f'{" ..." * (len(missing) > 3)} is missing: begin with what socialnav scenarios hard '
+            'prints',
+            'scenario.name',
+        )
+
+
+def read_scenario(path: Path) -> Scenario:
+    """
+    Return the scenario of a file, as `socialnav scenarios NAME` prints them.
+
+    :raises ConfigError: when the file or a setting does not exist or makes no sense.
+    """
+    values = read_yaml(path)
+    try:
+        return resolve_scenario(values)
+    except ConfigError as error:
+        key = error.key.removeprefix('scenario.')
+        with told_with_place(path, {}):
+            raise ConfigError(str(error), key) from error
+
+
+def changes_of(scenario: Scenario) -> dict[str, Any]:
+    """Return the settings in which a scenario differs from the package's of its name, dotted."""
+    try:
+        plain = make_scenario(scenario.name)
+    except ConfigError:  # a name of one's own says that it is another world
+        return {}
+    known = flatten(to_mapping(plain))
+    return {
+        name: value
+        for name, value in flatten(to_mapping(scenario)).items()
+        if value != known[name]
+    }
+
+
+def title_of(name: str, changes: Mapping[str, Any]) -> str:
+    """
+    Return what texts call a scenario: its name, and what was changed.
+
+    :param changes: see `changes_of`.
+    """
+    return f'{name} with {", ".join(f"{k}={v}" for k, v in changes.items())}' if changes else name
 
 
 def with_obstacle_radius(scenario: Scenario, radius: float) -> Scenario:

@@ -1,18 +1,13 @@
 """Settings of the search in space and time."""
 
 import dataclasses
+from typing import Annotated
 
 from socialnav_core.config.mapping import require
+from socialnav_core.config.ranges import Range, require_allowed
 
-POSITIVE = (
-    'horizon', 'time_step', 'layer', 'cell', 'fine_cell', 'slack', 'goal_tolerance', 'grid',
-    'window', 'deviation_limit',
-)  # fmt: skip
-NOT_NEGATIVE = (
-    'fine_layers', 'contact', 'intrusion', 'comfort_distance', 'turning', 'obstacle_margin',
-    'deviation_floor', 'deviation_near', 'deviation_share', 'value_weight', 'candidate_slack',
-)  # fmt: skip
-SHARES = ('contact_discount', 'intrusion_discount', 'deviation_decay')
+MOST_NODES = 2e6
+"""Layers times cells, which decide how much memory the search has."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -21,70 +16,70 @@ class SearchConfig:
 
     lookahead: str = 'constant_velocity'
     """Prediction of the pedestrians, by its name."""
-    horizon: float = 3.0
+    horizon: Annotated[float, Range(0.01, 30)] = 3.0
     """How far ahead the search looks, s."""
-    time_step: float = 0.25
+    time_step: Annotated[float, Range(0.01, 2)] = 0.25
     """How long a command lasts, s: the duration of the first layer."""
-    layer: float = 0.25
+    layer: Annotated[float, Range(0.01, 5)] = 0.25
     """Least duration of the later layers, s; a longer time step takes its place."""
-    headings: int = 16
+    headings: Annotated[int, Range(3, 360)] = 16
     """Number of headings of the lattice."""
-    speeds: int = 2
+    speeds: Annotated[int, Range(1, 20)] = 2
     """Number of speeds of the lattice, evenly spaced up to the preferred one."""
-    cell: float = 0.25
+    cell: Annotated[float, Range(0.01, 5)] = 0.25
     """Side of the cells that keep one node each, in seconds at preferred speed."""
-    fine_cell: float = 0.125
+    fine_cell: Annotated[float, Range(0.01, 5)] = 0.125
     """The same for the first layers."""
-    fine_layers: int = 6
+    fine_layers: Annotated[int, Range(0, 100)] = 6
     """Number of first layers with fine cells."""
-    slack: float = 2.0
+    slack: Annotated[float, Range(0.01, 100)] = 2.0
     """Nodes that are worse than the best of their layer by more than this are dropped, s."""
-    contact: float = 3.5
+    contact: Annotated[float, Range(0, 1000)] = 3.5
     """Cost of a certain contact at the first layer, s."""
-    contact_discount: float = 0.8
+    contact_discount: Annotated[float, Range(0, 1)] = 0.8
     """Factor of that cost for each later layer: what is far ahead will be planned again."""
-    intrusion: float = 0.4
+    intrusion: Annotated[float, Range(0, 1000)] = 0.4
     """Cost of each second spent nearer to somebody than the comfort distance."""
-    intrusion_discount: float = 0.85
+    intrusion_discount: Annotated[float, Range(0, 1)] = 0.85
     """Factor of that cost for each later layer."""
-    comfort_distance: float = 0.2
+    comfort_distance: Annotated[float, Range(0, 10)] = 0.2
     """Gap to people that is comfortable, m."""
-    turning: float = 0.1
+    turning: Annotated[float, Range(0, 100)] = 0.1
     """Cost of a change of velocity by the preferred speed, s."""
-    obstacle_margin: float = 0.02
+    obstacle_margin: Annotated[float, Range(0, 5)] = 0.02
     """Gap to obstacles and walls that is kept, m."""
-    deviation_near: float = 1.0
+    deviation_near: Annotated[float, Range(0, 100)] = 1.0
     """Factor of the predicted standard deviations in the first layer."""
-    deviation_share: float = 1.0
+    deviation_share: Annotated[float, Range(0, 100)] = 1.0
     """The factor that this turns into with each later layer: what is far is planned again."""
-    deviation_decay: float = 0.8
+    deviation_decay: Annotated[float, Range(0, 1)] = 0.8
     """Part of the difference between the two that is left with each later layer."""
-    deviation_floor: float = 0.0
+    deviation_floor: Annotated[float, Range(0, 10)] = 0.0
     """Added to the predicted standard deviations, m."""
-    deviation_limit: float = 0.25
+    deviation_limit: Annotated[float, Range(0.001, 10)] = 0.25
     """Standard deviations count up to this, m: a risk that is everywhere would make it wait."""
-    goal_tolerance: float = 0.3
+    goal_tolerance: Annotated[float, Range(0.001, 5)] = 0.3
     """The goal counts as reached within this distance, m; where it does not, the robot goes on."""
-    grid: float = 0.125
+    grid: Annotated[float, Range(0.01, 5)] = 0.125
     """Side of the cells of the distances around obstacles, m."""
-    window: float = 12.0
+    window: Annotated[float, Range(0.1, 100)] = 12.0
     """Half-width of the square around the robot in which these are computed, m."""
-    value_weight: float = 1.0
+    value_weight: Annotated[float, Range(0, 100)] = 1.0
     """Factor of the value at the horizon, where there is a network; 0 leaves it aside."""
-    candidates: int = 16
+    candidates: Annotated[int, Range(1, 1000)] = 16
     """First motions whose best paths are valued, at most."""
-    candidate_slack: float = 1.0
+    candidate_slack: Annotated[float, Range(0, 100)] = 1.0
     """Paths that are worse than the best by more than this are not valued, s."""
 
     def __post_init__(self) -> None:
         """Refuse values that describe no search."""
-        for name in POSITIVE:
-            require(getattr(self, name) > 0, f'{name} must be positive')
-        for name in NOT_NEGATIVE:
-            require(getattr(self, name) >= 0, f'{name} must not be negative')
-        for name in SHARES:
-            require(0 <= getattr(self, name) <= 1, f'{name} must lie in [0, 1]')
-        require(self.headings >= 3 and self.speeds >= 1, 'a lattice needs 3 headings and a speed')
-        require(self.candidates >= 1, 'candidates must be at least 1')
+        require_allowed(self)
         require(self.horizon >= self.time_step, 'horizon must be at least time_step')
-        require(self.window >= 8 * self.grid, 'window must be at least 8 cells of the grid')
+        cells = self.window / self.grid
+        require(8 <= cells <= 250, 'window must be 8 to 250 cells of the grid')
+        layers = self.horizon / max(self.layer, self.time_step)
+        width = 2.0 * self.horizon / min(self.cell, self.fine_cell)
+        require(
+            layers * width**2 <= MOST_NODES,
+            'horizon is too long for so short a layer and so small a cell: raise layer or cell',
+        )

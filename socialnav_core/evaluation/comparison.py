@@ -52,7 +52,7 @@ def compare(results: Sequence[EvaluationResult]) -> list[Comparison]:
     :param results: at least two, of the same cases.
     :raises ConfigError: when the cases are not the same.
     """
-    cases = {(r.scenario, r.seed, r.split, r.episodes) for r in results}
+    cases = {(r.scenario, str(r.changes), r.seed, r.split, r.episodes) for r in results}
     if len(results) < 2 or len(cases) != 1:
         raise ConfigError('a comparison needs two or more policies on the same cases')
     pairs = list(itertools.combinations(results, 2))

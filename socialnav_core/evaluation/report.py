@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
+from socialnav_core.config.scenarios import title_of
 from socialnav_core.evaluation.comparison import Comparison
 from socialnav_core.evaluation.run import EvaluationResult
 from socialnav_core.evaluation.statistics import Estimate
@@ -45,9 +46,10 @@ def comparison_text(
     """
     differences = [COMPARISON_COLUMNS, *map(comparison_row, comparisons)]
     first = results[0]
+    world = title_of(first.scenario, first.changes)
     return '\n'.join(
         [
-            f'{first.scenario}: {first.episodes} cases of {first.split}, seed {first.seed}',
+            f'{world}: {first.episodes} cases of {first.split}, seed {first.seed}',
             '',
             text_table(overview(results, further)),
             '',
@@ -110,7 +112,7 @@ def title(result: EvaluationResult) -> str:
         if policy.look_ahead
         else ''
     )
-    return f'{result.model} in {result.scenario}: {cases}{how}'
+    return f'{result.model} in {title_of(result.scenario, result.changes)}: {cases}{how}'
 
 
 def rate_text(rate: float, interval: Sequence[float], digits: int = 3) -> str:

@@ -1,6 +1,6 @@
 """Run a policy on given cases, each exactly once, and measure it."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 import dataclasses
 import time
 from typing import Any
@@ -9,7 +9,9 @@ import numpy as np
 
 from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config import require, Scenario
+from socialnav_core.config.scenarios import changes_of
 from socialnav_core.evaluation.statistics import wilson_interval
+from socialnav_core.memory import evaluation_bytes, require_memory
 from socialnav_core.metrics import (
     case_mappings,
     EpisodeRecorder,
@@ -49,6 +51,8 @@ class EvaluationResult:
     """How each episode went."""
     decision_seconds: float
     """Time spent in the policy, s."""
+    changes: Mapping[str, Any] = dataclasses.field(default_factory=dict)
+    """Settings in which the scenario differs from the one of its name."""
 
     @property
     def episodes(self) -> int:
@@ -95,6 +99,7 @@ class EvaluationResult:
         named = ('model', 'scenario', 'seed', 'split', 'episodes')
         return {
             **{name: getattr(self, name) for name in named},
+            'changes': dict(self.changes),
             'lookahead': self.policy.prediction,
             'knowledge': self.policy.knowledge,
             'screening': self.policy.screening,
@@ -133,6 +138,9 @@ def evaluate(
     keep_freed_memory()
     require(episodes >= 1, f'the number of episodes must be at least 1, not {episodes}')
     require_same_kinematics(policy, scenario)
+    actions = getattr(getattr(policy, 'config', None), 'actions', 1)
+    needed = evaluation_bytes(episodes, min(batch_size, episodes), scenario, actions)
+    require_memory(needed, f'{episodes} episodes')
     recorder = EpisodeRecorder(episodes, scenario.goal_tolerance)
     simulator = Simulator(scenario, min(batch_size, episodes))
     state = simulator.reset(seed=seed, split=split, cases=np.arange(episodes))
@@ -162,6 +170,7 @@ def evaluate(
         policy=policy.description,
         records=recorder.records(),
         decision_seconds=seconds,
+        changes=changes_of(scenario),
     )
 
 

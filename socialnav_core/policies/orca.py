@@ -1,10 +1,14 @@
 """ORCA as the robot's planner: the demonstrator of imitation and a baseline."""
 
 import dataclasses
+import functools
+from typing import Annotated
 
 import numpy as np
 
-from socialnav_core.config import OrcaConfig, require
+from socialnav_core.config import OrcaConfig
+from socialnav_core.config.ranges import Range, require_allowed
+from socialnav_core.finiteness import require_finite
 from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.policies.straight_line import preferred_velocity
 from socialnav_core.simulation.crowds.orca import avoid
@@ -24,17 +28,21 @@ class OrcaPolicy:
     predictor = None
     plan = None
 
-    safety_space: float = 0.15
+    safety_space: Annotated[float, Range(0, 5)] = 0.15
     """Added to every radius, m."""
     orca: OrcaConfig = OrcaConfig()
     """The other settings of ORCA; its own safety space is not used."""
-    time_step: float = 0.25
+    time_step: Annotated[float, Range(0.01, 2)] = 0.25
     """Time that a command lasts, s."""
 
     def __post_init__(self) -> None:
-        """Refuse settings that cannot be."""
-        require(0.0 <= self.safety_space < np.inf, 'safety_space must be at least 0 m')
-        require(0.0 < self.time_step < np.inf, 'time_step must be more than 0 s')
+        """Refuse values out of range."""
+        require_allowed(self)
+
+    @functools.cached_property
+    def _settings(self) -> OrcaConfig:
+        """Return the settings of ORCA with the safety space of this robot."""
+        return dataclasses.replace(self.orca, safety_space=self.safety_space)
 
     @property
     def description(self) -> PolicyDescription:
@@ -44,13 +52,13 @@ class OrcaPolicy:
 
     def act(self, state: CrowdState, limits: Limits | None = None) -> np.ndarray:
         """Return the commands, (batch, 2)."""
+        require_finite(state)
         everybody = state.robot.as_agents().append(state.agents)
         preferred, speed = np.zeros_like(everybody.position), np.zeros_like(everybody.radius)
         preferred[:, 0], speed[:, 0] = preferred_velocity(state), state.robot.preferred_speed
         out = np.zeros_like(preferred)
-        settings = dataclasses.replace(self.orca, safety_space=self.safety_space)
         every = np.ones(state.batch_size, bool)
-        avoid(everybody, preferred, speed, settings, self.time_step, every, 1, out)
+        avoid(everybody, preferred, speed, self._settings, self.time_step, every, 1, out)
         return out[:, 0]
 
     def attention(self, state: CrowdState) -> None:

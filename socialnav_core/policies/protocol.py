@@ -61,6 +61,7 @@ class Policy(Protocol):
 
         :param limits: what the robot can do until its next command, None: anything. A policy may
             leave them aside: whoever passes them on cuts its commands to them.
+        :raises ValueError: for a state in which a number is not finite; see `require_finite`.
         """
         ...
 

@@ -4,6 +4,7 @@ import dataclasses
 
 import numpy as np
 
+from socialnav_core.finiteness import require_finite
 from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.simulation.kinematics import Limits
 from socialnav_core.states import CrowdState
@@ -24,6 +25,7 @@ class StraightLinePolicy:
 
     def act(self, state: CrowdState, limits: Limits | None = None) -> np.ndarray:
         """Return the commands, (batch, 2); slower within the last metre."""
+        require_finite(state)
         return preferred_velocity(state)
 
     def attention(self, state: CrowdState) -> None:

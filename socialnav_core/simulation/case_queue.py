@@ -2,9 +2,11 @@
 
 from collections.abc import Sequence
 import dataclasses
+import numbers
 
 import numpy as np
 
+from socialnav_core.config.ranges import shown
 from socialnav_core.simulation.random_streams import SPLITS
 
 ENDLESS = -1
@@ -52,13 +54,26 @@ def queue_of(seed: int, split: str, cases: Sequence[int] | np.ndarray | None = N
     :param cases: to run once each; None for 0, 1, 2, ... without end.
     :raises ValueError: for a seed, split or case that does not exist.
     """
+    if isinstance(seed, bool) or not isinstance(seed, numbers.Integral):
+        raise ValueError(f'seed must be a whole number, not {shown(seed)}')
     if not 0 <= seed < 2**64:
-        raise ValueError(f'seed must lie in [0, 2^64), not {seed}')
+        raise ValueError(f'seed must lie in [0, 2^64), not {shown(seed)}')
     if split not in SPLITS:
         raise ValueError(f'split must be one of {", ".join(SPLITS)}, not {split!r}')
     if cases is None:
-        return CaseQueue(seed, split, None)
-    numbers = np.array(cases, dtype=np.int64)
-    if ((numbers < 0) | (numbers >= 2**32)).any():
+        return CaseQueue(int(seed), split, None)
+    return CaseQueue(int(seed), split, checked_cases(cases))
+
+
+def checked_cases(cases: Sequence[int] | np.ndarray) -> np.ndarray:
+    """
+    Return the numbers of cases, int64.
+
+    :raises ValueError: for what is no list of whole numbers in [0, 2^32).
+    """
+    given = np.asarray(cases)
+    if given.ndim != 1 or (given.size and given.dtype.kind not in 'iu'):
+        raise ValueError(f'cases must be a list of whole numbers, not {shown(cases)}')
+    if ((given < 0) | (given >= 2**32)).any():
         raise ValueError('cases must lie in [0, 2^32)')
-    return CaseQueue(seed, split, numbers)
+    return given.astype(np.int64)

@@ -12,6 +12,7 @@ from socialnav_core.simulation.random_streams import uniform
 ATTEMPTS = 200
 RESTARTS = 20000
 GAP = 0.2
+ANYWHERE = (math.nan, math.nan)
 OBSTACLE_GAP = 1.2
 
 
@@ -48,6 +49,10 @@ class LayoutSettings(NamedTuple):
     pedestrian_radius: float
     pedestrian_speed: float
     robot_radius: float
+    robot_start: tuple[float, float]
+    """Where the robot begins; nan: anywhere."""
+    robot_goal: tuple[float, float]
+    """Where it shall arrive; nan: anywhere."""
 
 
 class Layout(NamedTuple):
@@ -81,6 +86,8 @@ def layout_settings(scenario: Scenario) -> LayoutSettings:
         pedestrian_radius=scenario.pedestrian_radius,
         pedestrian_speed=scenario.pedestrian_speed,
         robot_radius=scenario.robot_radius,
+        robot_start=scenario.robot_start or ANYWHERE,
+        robot_goal=scenario.robot_goal or ANYWHERE,
     )
 
 
@@ -104,6 +111,7 @@ def sample_robot(stream, settings, robot):  # type: ignore[no-untyped-def]
         robot[0], robot[1], robot[2], robot[3] = (
             0.0, -settings.circle_radius, 0.0, settings.circle_radius,
         )  # fmt: skip
+        place_robot(settings, robot)
         return True
     half_width, noise = settings.half_width, settings.start_noise
     for _ in range(ATTEMPTS):  # about every third draw is accepted
@@ -113,10 +121,24 @@ def sample_robot(stream, settings, robot):  # type: ignore[no-untyped-def]
         robot[1] = half_width * math.sin(start_angle) + uniform(stream, -noise, noise)
         robot[2] = half_width * math.cos(goal_angle)
         robot[3] = half_width * math.sin(goal_angle)
+        if place_robot(settings, robot):
+            return True
         travel = max(abs(robot[2] - robot[0]), abs(robot[3] - robot[1]))
         if travel > settings.minimum_travel:
             return True
     return False
+
+
+@compiled
+def place_robot(settings, robot):  # type: ignore[no-untyped-def]
+    """Put the robot's start and goal where they were chosen; return whether both were."""
+    start, goal = settings.robot_start, settings.robot_goal
+    has_start, has_goal = not math.isnan(start[0]), not math.isnan(goal[0])
+    if has_start:
+        robot[0], robot[1] = start
+    if has_goal:
+        robot[2], robot[3] = goal
+    return has_start and has_goal
 
 
 @compiled

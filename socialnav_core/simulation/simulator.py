@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 
 from socialnav_core.config import ConfigError, require, require_choice, Scenario
+from socialnav_core.config.ranges import Range, require_rule
+from socialnav_core.memory import require_memory, worlds_bytes
 from socialnav_core.simulation.cases import Episodes
 from socialnav_core.simulation.crowds.protocol import make_crowd
 from socialnav_core.simulation.kinematics import kinematics_of
@@ -16,6 +18,9 @@ from socialnav_core.states import CrowdState
 
 NONE, TIMEOUT = int(Outcome.NONE), int(Outcome.TIMEOUT)  # arrays compare with plain numbers faster
 CROWD_PREFIX = 'crowd.'
+WORLDS = Range(1, 10_000_000)
+FASTEST = 1000.0
+"""Commands of more metres or radians per second than this are taken for mistakes."""
 AUTORESETS = ('same_step', 'disabled')
 LAYOUT_FIELDS = ('name', 'obstacle_radius_min', 'obstacle_radius_max', 'hardest_obstacle_ratio')
 
@@ -40,7 +45,8 @@ class Simulator:
         :param autoreset: same_step or disabled.
         :raises ConfigError: for a batch without worlds or an unknown autoreset.
         """
-        require(batch_size >= 1, f'batch_size must be at least 1, not {batch_size}')
+        require_rule(int, WORLDS, batch_size, 'batch_size')
+        require_memory(worlds_bytes(batch_size, scenario), f'{batch_size} worlds')
         require_choice('autoreset', autoreset, AUTORESETS)
         self.scenario = scenario
         self.kinematics = kinematics_of(scenario.kinematics)
@@ -52,6 +58,7 @@ class Simulator:
         self._until_decision = np.zeros(batch_size)
         self._settings = reward_settings(scenario.reward, scenario.goal_tolerance)
         self._scenario_of: Callable[[int], Scenario] | None = None
+        self._begun = False
 
     @property
     def state(self) -> CrowdState:
@@ -78,8 +85,10 @@ class Simulator:
         :param split: train, validation or test; splits share no case.
         :param cases: cases to run once each, in this order; None for 0, 1, 2, ... without end.
         :raises PackingError: when a layout does not fit into the world.
+        :raises ValueError: for a seed, split or case that does not exist.
         """
         self._episodes.begin(seed, split, cases)
+        self._begun = True
         self._start(np.arange(self.batch_size))
         return self.state
 
@@ -100,9 +109,10 @@ class Simulator:
         :param command: (vx, vy) in the world frame or (speed, turn rate), (batch, 2).
         :param duration: at most the scenario's time step, s; pedestrians decide only at multiples
             of the time step since the episode began.
-        :raises ValueError: for a command of another shape or one that is not finite.
+        :raises ValueError: for a command of another shape, one that is not finite or faster than
+            FASTEST, for another duration, or before the first `reset`.
         """
-        command = self._checked(command)
+        command = self._checked(command, duration)
         velocities, episodes, scenario = self._decide(), self._episodes, self.scenario
         displacement, robot_velocity, heading = self.kinematics.move(
             episodes.state.robot.heading, command, duration
@@ -149,8 +159,17 @@ class Simulator:
         return self._decide().copy()
 
     def set_goal(self, world: int, goal: Sequence[float] | np.ndarray) -> None:
-        """Give the robot of a world another goal, m, (2,)."""
-        self._episodes.state.robot.goal[world] = goal
+        """
+        Give the robot of a world another goal, m, (2,).
+
+        :raises ValueError: for a world that does not exist or a goal that is not finite.
+        """
+        place = np.asarray(goal, dtype=np.float64)
+        if not 0 <= world < self.batch_size:
+            raise ValueError(f'world must lie in [0, {self.batch_size}), not {world}')
+        if place.shape != (2,) or not np.isfinite(place).all():
+            raise ValueError(f'goal must be two finite numbers, not {goal}')
+        self._episodes.state.robot.goal[world] = place
 
     def change_scenario(
         self, scenario: Scenario, scenario_of: Callable[[int], Scenario] | None = None
@@ -177,7 +196,21 @@ class Simulator:
         return {name: array.copy() for name, array in everything.items()}
 
     def set_state(self, arrays: dict[str, np.ndarray]) -> None:
-        """Go on from where `get_state` was called, with the same scenario and batch size."""
+        """
+        Go on from where `get_state` was called, with the same scenario and batch size.
+
+        :raises ValueError: for the state of other worlds; the present one then stays.
+        """
+        own = {name: array.shape for name, array in self.get_state().items()}
+        for name, shape in own.items():
+            if name not in arrays:
+                raise ValueError(f'this is no state of such worlds: {name} is missing')
+            if name != 'cases' and arrays[name].shape != shape:
+                raise ValueError(
+                    f'this is the state of other worlds: {name} is {arrays[name].shape}, '
+                    f'not {shape}'
+                )
+        self._begun = True
         self._decided = arrays['decided'].copy()
         self._until_decision = arrays['until_decision'].copy()
         self._episodes.restore(arrays)
@@ -187,13 +220,20 @@ class Simulator:
             if name.startswith(CROWD_PREFIX)
         })  # fmt: skip
 
-    def _checked(self, command: np.ndarray) -> np.ndarray:
+    def _checked(self, command: np.ndarray, duration: float) -> np.ndarray:
         """Return the command as float64, or raise ValueError."""
+        if not self._begun:
+            raise ValueError('the worlds are not laid out yet: call reset first')
+        if not 0.0 < duration <= self.scenario.time_step + TIME_TOLERANCE:
+            raise ValueError(
+                'duration must be above 0 and at most the time step, '
+                f'{self.scenario.time_step:g} s, not {duration}'
+            )
         command = np.asarray(command, dtype=np.float64)
         if command.shape != (self.batch_size, 2):
             raise ValueError(f'command must be ({self.batch_size}, 2), not {command.shape}')
-        if not np.isfinite(command[self._episodes.active]).all():
-            raise ValueError('command is not finite')
+        if not (np.abs(command[self._episodes.active]) <= FASTEST).all():  # nor not a number
+            raise ValueError(f'command is not finite or above {FASTEST:g} m/s')
         return command
 
     def _decide(self) -> np.ndarray:

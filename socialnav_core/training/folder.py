@@ -1,20 +1,42 @@
 """The folder of a run: who may write to it, and what is left in the end."""
 
+from collections.abc import Iterator
+import contextlib
 from pathlib import Path
 
 from socialnav_core.config import ConfigError
 from socialnav_core.policies.search.checkpoint import PLANNER
 from socialnav_core.policies.value.checkpoint import CONFIG, WEIGHTS
 from socialnav_core.prediction.learned.checkpoint import WEIGHTS as PREDICTION
+from socialnav_core.training.lock import locked
 from socialnav_core.training.model_card import CARD_NAME, METRICS_NAME
 from socialnav_core.training.progress import CSV_NAME
-from socialnav_core.training.resume import STATE_NAME
+from socialnav_core.training.resume import FINISHED_NAME, STATE_NAME
 
-RUN_FILES = (STATE_NAME, CSV_NAME, WEIGHTS, PREDICTION, PLANNER, CONFIG, METRICS_NAME, CARD_NAME)
+RUN_FILES = (
+    STATE_NAME, FINISHED_NAME, CSV_NAME, WEIGHTS, PREDICTION, PLANNER, CONFIG,
+    METRICS_NAME, CARD_NAME,
+)  # fmt: skip
 MARKS = (STATE_NAME, CSV_NAME, WEIGHTS, PREDICTION, PLANNER)
 EVENTS = 'events.out.tfevents.*'
 UNFOLDED = 'unfolded'
 """Checkpoint with the weights as they were trained, inside the folder of the run."""
+
+
+@contextlib.contextmanager
+def own_folder(folder: Path, resume: bool, overwrite: bool) -> Iterator[None]:
+    """
+    Prepare the folder of a run, see `prepare_folder`, and keep others from training in it.
+
+    :raises ConfigError: also when another training has it.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise unusable(folder, error) from error
+    with locked(folder):
+        prepare_folder(folder, resume, overwrite)
+        yield
 
 
 def prepare_folder(folder: Path, resume: bool, overwrite: bool) -> None:
@@ -37,9 +59,12 @@ def prepare_folder(folder: Path, resume: bool, overwrite: bool) -> None:
             remove_files(folder, [*RUN_FILES, EVENTS])
             remove_files(folder / UNFOLDED, [WEIGHTS, CONFIG])
     except OSError as error:
-        raise ConfigError(
-            f'{folder} cannot be used ({error.strerror}); choose another --out'
-        ) from error
+        raise unusable(folder, error) from error
+
+
+def unusable(folder: Path, error: OSError) -> ConfigError:
+    """Return the error for a folder that cannot be made or written to."""
+    return ConfigError(f'{folder} cannot be used ({error.strerror}); choose another --out')
 
 
 def require_replaceable(folder: Path, overwrite: bool) -> None:
@@ -61,5 +86,5 @@ def remove_files(folder: Path, patterns: list[str]) -> None:
 
 
 def finish_folder(folder: Path) -> None:
-    """Remove what only an unfinished run needs."""
-    (folder / STATE_NAME).unlink(missing_ok=True)
+    """Put the state aside: the run is finished, and can be made longer."""
+    (folder / STATE_NAME).replace(folder / FINISHED_NAME)

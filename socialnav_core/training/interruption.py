@@ -10,6 +10,15 @@ SIGNALS = (signal.SIGINT, signal.SIGTERM)
 class TrainingInterrupted(Exception):
     """A run that was asked to stop and saved itself; its text says how to go on."""
 
+    def __init__(self, message: str, number: int = signal.SIGINT) -> None:
+        """
+        Keep what is said.
+
+        :param number: of the signal.
+        """
+        super().__init__(message)
+        self.number = number
+
 
 class Interruption:
     """
@@ -20,8 +29,14 @@ class Interruption:
 
     def __init__(self) -> None:
         """Wait to be entered."""
-        self.requested = False
+        self.number = 0
+        """Of the signal, 0 for none so far."""
         self._previous: dict[int, object] = {}
+
+    @property
+    def requested(self) -> bool:
+        """Return whether a signal came."""
+        return self.number != 0
 
     def __enter__(self) -> 'Interruption':
         """Take over the signals."""
@@ -35,7 +50,7 @@ class Interruption:
 
     def _note(self, number: int, frame: FrameType | None) -> None:
         """Remember the request."""
-        self.requested = True
+        self.number = number
         self._restore()
 
     def _restore(self) -> None:

@@ -11,7 +11,7 @@ from socialnav_core.metrics import Metric, Place, shown_in
 from socialnav_core.policies.value.checkpoint import Checkpoint
 from socialnav_core.prediction import knowledge_of
 from socialnav_core.simulation.kinematics import kinematics_of
-from socialnav_core.storage import atomic_write
+from socialnav_core.storage import atomic_write, CheckpointError
 from socialnav_core.tables import markdown_table, number
 from socialnav_core.training.progress import CSV_NAME
 
@@ -67,7 +67,7 @@ def require_no_better(folder: Path, config: AnyConfig, result: dict[str, Any]) -
 
 def result_key(result: dict[str, Any], config: AnyConfig) -> str:
     """Return a result's name: its scenario and what differs from the checkpoint's settings."""
-    key = result['scenario']
+    key = '+'.join([result['scenario'], *map(change_text, result.get('changes', {}).items())])
     if result['lookahead'] != config.policy.lookahead:
         key += f'+{result["lookahead"]}'
     screened = isinstance(config, Config) and config.policy.screening.enabled
@@ -76,10 +76,27 @@ def result_key(result: dict[str, Any], config: AnyConfig) -> str:
     return key
 
 
+def change_text(change: tuple[str, Any]) -> str:
+    """Return the name and value of a setting that was changed, such as `time_limit=35.0`."""
+    return '='.join(map(str, change))
+
+
 def read_metrics(folder: Path) -> dict[str, Any]:
-    """Return the results of a checkpoint, empty where there are none."""
+    """
+    Return the results of a checkpoint, empty where there are none.
+
+    :raises CheckpointError: when the file holds something else.
+    """
     path = folder / METRICS_NAME
-    return json.loads(path.read_text(encoding='utf-8')) if path.is_file() else {}
+    if not path.is_file():
+        return {}
+    try:
+        metrics = json.loads(path.read_text(encoding='utf-8'))
+    except (ValueError, RecursionError) as error:
+        raise CheckpointError(f'{path} is damaged ({error}); delete it') from error
+    if not isinstance(metrics, dict):
+        raise CheckpointError(f'{path} holds no results; delete it')
+    return metrics
 
 
 def write_model_card(folder: Path, checkpoint: Checkpoint) -> None:
@@ -138,13 +155,12 @@ def training_data(config: Config, last: dict[str, float]) -> str:
     :param last: last line of the progress report, empty where there is none.
     """
     settings, scenario = config.training, config.scenario
-    imitation, curriculum = settings.imitation, settings.curriculum
+    curriculum = settings.curriculum
     lines = [
         '## Training data\n',
         f'Simulated episodes of `{scenario.name}` ({scenario.pedestrians} ORCA pedestrians, '
         f'{scenario.obstacles} obstacles), cases of the `train` split, seed {config.seed}:\n',
-        f'- imitation: {imitation.episodes:,} episodes of an ORCA robot (safety space '
-        f'{imitation.safety_space:g} m), {imitation.epochs} epochs;',
+        imitation_line(settings),
         value_learning_line(settings),
         f'- products in {"bfloat16" if settings.bfloat16 else "float32"}, weights in float32.',
     ]
@@ -164,6 +180,16 @@ def training_data(config: Config, last: dict[str, float]) -> str:
             f'{last["obstacle_radius"]:g} m.'
         )
     return '\n'.join(lines)
+
+
+def imitation_line(settings: TrainingConfig) -> str:
+    """Return what came before value learning, a line of a list."""
+    imitation = settings.imitation
+    space = f'safety space {imitation.safety_space:g} m'
+    shown = f'{imitation.episodes:,} episodes of an ORCA robot ({space})'
+    if settings.initial_weights:
+        return f'- begun with the weights `{settings.initial_weights}`; replayed first: {shown};'
+    return f'- imitation: {shown}, {imitation.epochs} epochs;'
 
 
 def value_learning_line(settings: TrainingConfig) -> str:

@@ -9,6 +9,7 @@ from typing import Any, TextIO
 from socialnav_core.config import TrainingConfig
 from socialnav_core.extras import extra, MissingExtra
 from socialnav_core.progress import progress_bar
+from socialnav_core.storage import named_errors
 
 CSV_NAME = 'progress.csv'
 COLUMNS = (
@@ -54,8 +55,9 @@ class Progress:
 
         :param row: a number for each of COLUMNS.
         """
-        self._rows.writerow({name: f'{value:.6g}' for name, value in row.items()})
-        self._file.flush()
+        with named_errors(self._file.name):
+            self._rows.writerow({name: f'{value:.6g}' for name, value in row.items()})
+            self._file.flush()
         if self._board is not None:
             for name in COLUMNS[1:]:
                 self._board.add_scalar(name, row[name], int(row['iteration']))

@@ -12,9 +12,19 @@ import torch
 
 from socialnav_core.config import ConfigError, require
 from socialnav_core.config.mapping import flatten, from_mapping, to_mapping
-from socialnav_core.storage import arrays_digest, atomic_write, CheckpointError
+from socialnav_core.storage import (
+    arrays_digest,
+    atomic_write,
+    canonical,
+    CheckpointError,
+    UNREADABLE,
+)
 
 STATE_NAME = 'training_state.safetensors'
+FINISHED_NAME = 'finished_state.safetensors'
+"""What the state is called once the run is as long as it should be."""
+LENGTHS = ('training.iterations', 'training.episodes', 'training.updates')
+"""Settings that say how long a run is; it may be resumed with more."""
 FORMAT = 'socialnav training state 1'
 
 Arrays = dict[str, np.ndarray]
@@ -40,7 +50,7 @@ def save_state(folder: Path, sections: Mapping[str, Arrays], config: Any) -> Non
     }
     path = folder / STATE_NAME
     try:
-        atomic_write(path, save(arrays, metadata))
+        atomic_write(path, canonical(save(arrays, metadata)))
     except OSError as error:
         raise CheckpointError(
             f'{path} cannot be written ({error.strerror}); what was saved last is still there: '
@@ -52,31 +62,31 @@ def load_state(folder: Path, config: Any) -> dict[str, Arrays]:
     """
     Return the arrays of each part of a run.
 
-    :param config: must be the one that the run was started with.
+    :param config: must be the one that the run was started with, or of a longer run.
     :raises ConfigError: when there is nothing to resume or a setting differs.
     :raises CheckpointError: when the file is damaged.
     """
-    path = folder / STATE_NAME
-    if not path.is_file():
-        raise ConfigError(
-            f'{folder} holds no unfinished run ({STATE_NAME}); leave --resume out, or start again '
-            'with --overwrite'
-        )
+    path = state_file(folder)
     try:
         with safe_open(path, 'numpy') as file:
             metadata = file.metadata() or {}
             names = file.keys()
             arrays = {name: file.get_tensor(name) for name in names}
-    except (OSError, SafetensorError) as error:
+    except (SafetensorError, *UNREADABLE) as error:
         raise CheckpointError(f'{path} is damaged ({error}); start again') from error
     if metadata.get('format') != FORMAT or metadata.get('digest') != arrays_digest(arrays):
         raise CheckpointError(f'{path} is damaged or of another version; start again')
-    # settings that the saved one lacks have their defaults
-    saved = from_mapping(type(config), json.loads(metadata['config']))
-    require_same(to_mapping(saved), to_mapping(config))
+    threads = metadata.get('threads', '')
+    try:  # settings that the saved one lacks have their defaults
+        saved = to_mapping(from_mapping(type(config), json.loads(metadata.get('config', ''))))
+    except ValueError as error:
+        raise CheckpointError(f'{path} is damaged ({error}); start again') from error
+    require_same(saved, to_mapping(config))
+    if path.name == FINISHED_NAME:
+        require_longer(saved, to_mapping(config))
     require(
-        metadata['threads'] == str(torch.get_num_threads()),
-        f'the run was started with {metadata["threads"]} processor threads, not '
+        threads == str(torch.get_num_threads()),
+        f'the run was started with {threads} processor threads, not '
         f'{torch.get_num_threads()}; resume it with as many',
     )
     sections: dict[str, Arrays] = {}
@@ -86,10 +96,43 @@ def load_state(folder: Path, config: Any) -> dict[str, Arrays]:
     return sections
 
 
+def state_file(folder: Path) -> Path:
+    """
+    Return the file of the state in a folder, that of a finished run where there is no other.
+
+    :raises ConfigError: when there is none.
+    """
+    for name in (STATE_NAME, FINISHED_NAME):
+        if (folder / name).is_file():
+            return folder / name
+    raise ConfigError(
+        f'{folder} holds no unfinished run ({STATE_NAME}) and none that could be made longer '
+        f'({FINISHED_NAME}); leave --resume out, or start again with --overwrite'
+    )
+
+
+def require_longer(saved: Mapping[str, Any], given: Mapping[str, Any]) -> None:
+    """Raise a ConfigError unless a finished run is asked to be longer than it is."""
+    old, new = flatten(saved), flatten(given)
+    # iterations count for nothing where the length is given in episodes
+    name = next(name for name in reversed(LENGTHS) if old.get(name))
+    if old[name] == new[name]:
+        raise ConfigError(
+            f'the run is finished after {name} = {old[name]}; make it longer by a greater one, '
+            f'such as --set {name}={2 * old[name]}'
+        )
+
+
 def require_same(saved: Mapping[str, Any], given: Mapping[str, Any]) -> None:
-    """Raise a ConfigError that names the first setting in which two configurations differ."""
+    """
+    Raise a ConfigError that names the first setting in which two configurations differ.
+
+    A greater length is no difference.
+    """
     old, new = flatten(saved), flatten(given)
     for name in sorted(old.keys() | new.keys()):
+        if name in LENGTHS and 0 < (old.get(name) or 0) < (new.get(name) or 0):
+            continue
         if old.get(name) != new.get(name):
             raise ConfigError(
                 f'the run was started with {name} = {old.get(name)!r}, not {new.get(name)!r}; '

@@ -6,16 +6,19 @@ import time
 from typing import Any
 
 import numpy as np
+from torch import nn
 
 from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config import Config, require, Scenario
+from socialnav_core.memory import require_memory, training_bytes
 from socialnav_core.policies import Policy
 from socialnav_core.policies.value.checkpoint import load_checkpoint
 from socialnav_core.policies.value.lookahead import ValuePolicy
 from socialnav_core.policies.value.observation import observe
 from socialnav_core.prediction import make_predictor
 from socialnav_core.threads import chosen_threads
-from socialnav_core.training.folder import finish_folder, prepare_folder, UNFOLDED
+from socialnav_core.training.folder import finish_folder, own_folder, UNFOLDED
+from socialnav_core.training.initial_weights import with_initial_weights
 from socialnav_core.training.interruption import Interruption, TrainingInterrupted
 from socialnav_core.training.model_card import add_result, write_model_card
 from socialnav_core.training.precision import with_available_precision
@@ -44,6 +47,7 @@ def train(
     out: Path,
     resume: bool = False,
     overwrite: bool = False,
+    init: str | Path | None = None,
     evaluate: Evaluate | None = None,
     progress: bool = True,
 ) -> None:
@@ -53,17 +57,40 @@ def train(
     Every saved state is complete: a run that was killed goes on from the last one with `resume`
     and ends with the same bits as one that was not (same machine, same number of threads).
 
+    :param resume: go on with the run in the folder; one that is finished needs a greater length.
+    :param init: checkpoint, or name of one in models/, whose weights the run begins with.
     :param evaluate: measures the finished policy in a scenario; its result becomes metrics.json.
     :raises ConfigError: when the folder is taken, or cannot be resumed with this configuration, or
         for a prediction that does not exist.
-    :raises CheckpointError: when the state cannot be written.
+    :raises CheckpointError: when the state cannot be written, or `init` is damaged.
+    :raises FloatingPointError: when the loss is not a number.
     :raises TrainingInterrupted: after Ctrl-C or SIGTERM; the run was saved.
     """
     config = with_available_precision(config)
-    settings = config.training
     require_predictions(config)
-    prepare_folder(out, resume, overwrite)
+    require_memory(training_bytes(config), 'the training')
+    config, network = with_initial_weights(config, init, resume)
+    with own_folder(out, resume, overwrite):
+        run_in_folder(config, out, network, resume, evaluate, progress)
+
+
+def run_in_folder(
+    config: Config,
+    out: Path,
+    network: nn.Module | None,
+    resume: bool,
+    evaluate: Evaluate | None,
+    progress: bool,
+) -> None:
+    """
+    Train in a folder that is prepared; see `train`.
+
+    :param network: with the weights to begin with; None for random ones.
+    """
+    settings = config.training
     run = Run(config)
+    if network is not None:
+        run.network.load_state_dict(network.state_dict())
     keep_freed_memory()
     with Interruption() as interruption:
         if resume:
@@ -78,7 +105,7 @@ def train(
                     save(run, out)
         save(run, out)
         if interruption.requested:
-            raise TrainingInterrupted(how_to_resume(run, out))
+            raise TrainingInterrupted(how_to_resume(run, out), interruption.number)
     if evaluate is not None:
         policy = ValuePolicy(run.finished_network(), config.policy)
         add_result(out, config, evaluate(policy, config.scenario))

@@ -28,8 +28,9 @@ def begin(run: Run, progress: bool) -> None:
         count = len(demonstrations.returns)
         announce(f'imitation: {imitation.episodes} episodes of ORCA, {count} states', progress)
         random = generator(config.seed, Purpose.IMITATION)
-        with progress_bar(imitation.epochs, 'imitation', 'epoch', visible=progress) as bar:
-            imitate(run.network, demonstrations, settings, random, bar.update)
+        if not settings.initial_weights:  # those know more than the demonstrator can teach
+            with progress_bar(imitation.epochs, 'imitation', 'epoch', visible=progress) as bar:
+                imitate(run.network, demonstrations, settings, random, bar.update)
         order = generator(config.seed, Purpose.SELECTION).permutation(count)
         run.buffer.append(*demonstrations.select(order[: settings.replay_capacity // 2]))
     run.renew_target()

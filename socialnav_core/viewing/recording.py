@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 
 from socialnav_core.config import Scenario
+from socialnav_core.config.scenarios import changes_of
 from socialnav_core.policies.protocol import Policy, PolicyDescription, require_same_kinematics
 from socialnav_core.prediction.oracle import attach_simulator
 from socialnav_core.simulation import Outcome, Simulator
@@ -150,9 +151,14 @@ def record(
         ended = bool(terminated[0] or truncated[0])
     outcome = Outcome(int(info['outcome'][0])).name.lower()
     return Recording(
-        states, scenario.name, seed, case_index, outcome, name, attention or None, closest,
-        commands, scenario.kinematics, scenario.goal_tolerance, policy.description,
+        states, name_with_mark(scenario), seed, case_index, outcome, name, attention or None,
+        closest, commands, scenario.kinematics, scenario.goal_tolerance, policy.description,
     )  # fmt: skip
+
+
+def name_with_mark(scenario: Scenario) -> str:
+    """Return the name of a scenario, marked where it is not the one of that name."""
+    return f'{scenario.name} (changed)' if changes_of(scenario) else scenario.name
 
 
 def _blend(first: np.ndarray, second: np.ndarray, share: float) -> np.ndarray:

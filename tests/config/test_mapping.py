@@ -4,11 +4,11 @@ import pytest
 import yaml
 
 from socialnav_core.config import Config, ConfigError, OrcaConfig, PolicyConfig, Scenario
+from socialnav_core.config.documents import read_yaml
 from socialnav_core.config.mapping import (
     flatten,
     from_mapping,
     parse_assignments,
-    read_yaml,
     replace,
     to_mapping,
     to_yaml,

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from socialnav_core.config import ConfigError
+from socialnav_core.config.mapping import to_mapping
 from socialnav_core.evaluation import evaluate
 from socialnav_core.policies import load_policy, PolicyDescription, StraightLinePolicy
 from socialnav_core.policies.loading import settings_of, WITHOUT_NETWORK, WithoutNetwork
@@ -101,3 +102,38 @@ def test_an_override_that_is_none_leaves_the_own_setting():
 def test_a_recording_tells_what_the_prediction_knew():
     assert record(load_policy('sarl'), HARD).look_ahead == 'constant_velocity (deployable)'
     assert record(load_policy('orca'), HARD).look_ahead is None
+
+
+@pytest.mark.parametrize('model', MODELS)
+@pytest.mark.parametrize('number', [np.nan, np.inf])
+def test_a_state_that_holds_no_number_is_refused_by_name(model, number):
+    policy, state = load_policy(model), Simulator(HARD, 3).reset(seed=1)
+    for name, array in state.arrays().items():
+        if array.dtype != np.float64 or name == 'time' or (name == 'bounds' and number == np.inf):
+            continue
+        kept = array[1].copy()
+        array[1].flat[-1:] = number if array[1].ndim else 0
+        if not array[1].ndim:
+            array[1] = number
+        with pytest.raises(ValueError, match=f'world 1 of the state: {name} is not finite'):
+            policy.act(state)
+        array[1] = kept
+
+
+@pytest.mark.parametrize('model', MODELS)
+def test_padding_may_hold_anything(model):
+    policy, state = load_policy(model), Simulator(HARD, 3).reset(seed=1)
+    state.agents.valid[:, -1] = False
+    without = policy.act(state)
+    policy.reset()
+    state.agents.position[:, -1] = 1e9
+    assert np.array_equal(policy.act(state), without)
+
+
+@pytest.mark.parametrize('model', WITHOUT_NETWORK)
+def test_settings_of_a_policy_have_ranges(model):
+    for name, value in to_mapping(WITHOUT_NETWORK[model].settings).items():
+        if isinstance(value, float):
+            for number in (float('nan'), float('inf'), -1.0, 1e9):
+                with pytest.raises(ConfigError, match=name):
+                    load_policy(model, **{name: number})

@@ -1,6 +1,7 @@
 """Laws of training the prediction."""
 
 import dataclasses
+import shutil
 
 from crowd_states import last_prediction, random_state, sequence
 import numpy as np
@@ -18,6 +19,7 @@ from socialnav_core.prediction.learned import LearnedPredictor, load_predictor
 from socialnav_core.prediction.learned.checkpoint import load_weights, WEIGHTS
 from socialnav_core.storage import arrays_digest, CheckpointError
 from socialnav_core.training.prediction import learning, train_prediction
+from socialnav_core.training.resume import FINISHED_NAME
 
 torch.set_num_threads(1)
 
@@ -48,9 +50,9 @@ def trained(tmp_path_factory):
     return folder
 
 
-def test_a_run_leaves_a_checkpoint_and_no_state(trained):
+def test_a_run_leaves_a_checkpoint_and_the_state_to_make_it_longer(trained):
     names = {path.name for path in trained.iterdir()}
-    assert names == {WEIGHTS, 'config.yaml', 'progress.csv'}
+    assert names == {WEIGHTS, 'config.yaml', 'progress.csv', FINISHED_NAME}
 
 
 def test_the_same_seed_gives_the_same_weights_and_another_one_others(trained, tmp_path):
@@ -129,3 +131,21 @@ def test_the_configuration_that_comes_with_the_package_is_read_and_changed():
 def test_an_unknown_setting_names_the_nearest():
     with pytest.raises(ConfigError, match='did you mean updates'):
         read_prediction_config('mixed', {'training.update': 7})
+
+
+def test_a_training_that_would_not_fit_into_memory_is_refused_before_it_begins(tmp_path):
+    crowds = dataclasses.replace(TINY.crowds, groups=100_000, worlds=4096, duration=600.0)
+    with pytest.raises(ConfigError, match='GiB'):
+        train_prediction(dataclasses.replace(TINY, crowds=crowds), tmp_path / 'run')
+    assert not (tmp_path / 'run').exists()
+
+
+def test_a_finished_run_goes_on_when_it_is_made_longer(trained, tmp_path):
+    folder = tmp_path / 'tiny'
+    shutil.copytree(trained, folder)
+    with pytest.raises(ConfigError, match='finished after training.updates = 6.*=12'):
+        train_prediction(TINY, folder, resume=True, progress=False)
+    longer = dataclasses.replace(TINY.training, updates=8)
+    train_prediction(dataclasses.replace(TINY, training=longer), folder, resume=True)
+    rows = (folder / 'progress.csv').read_text().splitlines()
+    assert [row.partition(',')[0] for row in rows[1:]] == ['2', '4', '6', '8']

@@ -31,3 +31,21 @@ def test_arrays_hold_everything(cases):
 def test_what_does_not_exist_is_refused(seed, split, cases):
     with pytest.raises(ValueError, match='must'):
         queue_of(seed, split, cases)
+
+
+@pytest.mark.parametrize(
+    ('seed', 'cases'),
+    [
+        (None, None),
+        (1.5, None),
+        (True, None),
+        ('1', None),
+        (0, [1.5]),
+        (0, ['a']),
+        (0, 3),
+        (0, 'ab'),
+    ],
+)
+def test_seeds_and_cases_are_whole_numbers(seed, cases):
+    with pytest.raises(ValueError, match='whole number'):
+        queue_of(seed, 'test', cases)

@@ -149,7 +149,7 @@ def test_the_returned_state_is_a_copy():
 
 def test_arrived_pedestrians_get_another_goal_free_of_obstacles():
     scenario = make_scenario('hard')
-    simulator = Simulator(dataclasses.replace(scenario, time_limit=1e6, robot_radius=1e-6), 16)
+    simulator = Simulator(dataclasses.replace(scenario, time_limit=3600.0, robot_radius=0.01), 16)
     simulator.reset(seed=2)
     first = simulator.get_state()['goal'][:, :5]
     outside = np.zeros((16, 2))
@@ -165,7 +165,9 @@ def test_arrived_pedestrians_get_another_goal_free_of_obstacles():
     assert gap.min() > 0.2 - 1e-9
 
 
-@pytest.mark.parametrize('command', [np.zeros((3, 2)), np.zeros(2), np.full((2, 2), np.nan)])
+@pytest.mark.parametrize(
+    'command', [np.zeros((3, 2)), np.zeros(2), np.full((2, 2), np.nan), np.full((2, 2), -1e18)]
+)
 def test_a_command_that_is_none_is_refused(command):
     simulator = Simulator(make_scenario('simple'), 2)
     simulator.reset()
@@ -179,3 +181,65 @@ def test_only_radii_may_change_between_episodes():
     assert simulator.reset().agents.radius.max() == 2.5
     with pytest.raises(ConfigError):
         simulator.change_scenario(make_scenario('packed-2.5'))
+
+
+@pytest.mark.parametrize('duration', [-1.0, 0.0, float('nan'), float('inf'), 0.26])
+def test_time_goes_on_by_a_step_at_most(duration):
+    simulator = Simulator(make_scenario('simple'), 2)
+    before = simulator.reset()
+    with pytest.raises(ValueError, match='duration'):
+        simulator.advance(np.zeros((2, 2)), duration)
+    assert equal(simulator.state, before)
+
+
+def test_worlds_that_are_not_laid_out_cannot_be_stepped():
+    with pytest.raises(ValueError, match='call reset first'):
+        Simulator(make_scenario('simple'), 2).step(np.zeros((2, 2)))
+
+
+@pytest.mark.parametrize(
+    ('world', 'goal'), [(0, (np.nan, 0)), (0, (1, 2, 3)), (2, (0, 0)), (-1, (0, 0))]
+)
+def test_a_goal_that_is_none_is_refused(world, goal):
+    simulator = Simulator(make_scenario('simple'), 2)
+    before = simulator.reset()
+    with pytest.raises(ValueError, match='goal|world'):
+        simulator.set_goal(world, goal)
+    assert equal(simulator.state, before)
+
+
+def test_the_state_of_other_worlds_is_refused_and_the_own_one_stays():
+    simulator, other = Simulator(make_scenario('simple'), 2), Simulator(make_scenario('simple'), 3)
+    before, _ = simulator.reset(), other.reset()
+    with pytest.raises(ValueError, match='state of other worlds'):
+        simulator.set_state(other.get_state())
+    with pytest.raises(ValueError, match='missing'):
+        simulator.set_state({})
+    assert equal(simulator.state, before)
+
+
+@pytest.mark.parametrize('batch_size', [0, -1, 1.5, True, 10**9])
+def test_a_number_of_worlds_that_is_none_is_refused(batch_size):
+    with pytest.raises(ConfigError, match='batch_size'):
+        Simulator(make_scenario('simple'), batch_size)
+
+
+def test_people_whose_speed_is_zero_stand():
+    scenario = dataclasses.replace(make_scenario('hard'), pedestrian_speed=0.0)
+    simulator = Simulator(scenario, 8, 'disabled')
+    before = simulator.reset(seed=2).agents.position
+    for _ in range(8):
+        state = simulator.step(to_goal(simulator.state))[0]
+    assert np.array_equal(state.agents.position, before) and not state.agents.velocity.any()
+
+
+def test_the_robot_starts_and_ends_where_it_was_told():
+    plain = make_scenario('hard')
+    scenario = dataclasses.replace(plain, robot_start=(0.0, -4.0), robot_goal=(1.0, 4.0))
+    robot = Simulator(scenario, 20).reset().robot
+    assert (robot.position == (0.0, -4.0)).all() and (robot.goal == (1.0, 4.0)).all()
+    robot = Simulator(dataclasses.replace(plain, robot_goal=(1.0, 4.0)), 20).reset().robot
+    assert (robot.goal == (1.0, 4.0)).all() and len(np.unique(robot.position)) > 20
+    circle = dataclasses.replace(make_scenario('circle'), robot_start=(1.0, -4.0))
+    robot = Simulator(circle, 2).reset().robot
+    assert (robot.position == (1.0, -4.0)).all() and (robot.goal == (0.0, 4.0)).all()

@@ -11,9 +11,14 @@ import torch
 from socialnav_core.config import ConfigError
 from socialnav_core.config.mapping import to_mapping
 from socialnav_core.policies import load_policy
-from socialnav_core.policies.value.checkpoint import checkpoint_digest, CheckpointError
+from socialnav_core.policies.value.checkpoint import (
+    checkpoint_digest,
+    CheckpointError,
+    load_checkpoint,
+)
 from socialnav_core.simulation import make_scenario, Simulator
 from socialnav_core.training import train, value_learning
+from socialnav_core.training.folder import own_folder
 from socialnav_core.training.progress import COLUMNS
 from socialnav_core.training.run import Run
 from socialnav_core.training.warm_up import begin
@@ -192,6 +197,62 @@ def test_resuming_with_another_setting_names_it(tiny_config, tmp_path, monkeypat
 def test_nothing_is_resumed_where_nothing_was_saved(tiny_config, tmp_path):
     with pytest.raises(ConfigError, match='no unfinished run'):
         train(tiny_config, tmp_path / 'run', resume=True, progress=False)
+
+
+def test_finished_run_goes_on_when_it_is_made_longer(tiny_config, tmp_path):
+    folder = tmp_path / 'run'
+    train(tiny_config, folder, progress=False)
+    before = checkpoint_digest(folder)
+    with pytest.raises(ConfigError, match='finished after training.iterations = 4.*=8'):
+        train(tiny_config, folder, resume=True, progress=False)
+    train(with_training(tiny_config, iterations=6), folder, resume=True, progress=False)
+    assert [int(row['iteration']) for row in progress_rows(folder)] == [1, 2, 3, 4, 5, 6]
+    assert checkpoint_digest(folder) != before
+
+
+def test_run_is_never_made_shorter(tiny_config, tmp_path, monkeypatch):
+    interrupted(monkeypatch, tiny_config, tmp_path / 'run', 3)
+    with pytest.raises(ConfigError, match='training.iterations = 4, not 2'):
+        train(with_training(tiny_config, iterations=2), tmp_path / 'run', resume=True)
+
+
+def test_run_begins_with_the_weights_of_another(tiny_config, tmp_path):
+    train(tiny_config, tmp_path / 'first', progress=False)
+    still = with_training(tiny_config, iterations=1, updates_per_iteration=0)
+    train(still, tmp_path / 'second', init=tmp_path / 'first', progress=False)
+    first, second = (load_checkpoint(tmp_path / name) for name in ('first', 'second'))
+    assert second.config.training.initial_weights == first.digest
+    inside, outside = first.network.state_dict(), second.network.state_dict()
+    same = [name for name in inside if torch.equal(inside[name], outside[name])]
+    assert len(same) > 5  # all but what is folded anew
+    with pytest.raises(ConfigError, match='--init'):
+        train(second.config, tmp_path / 'third', progress=False)
+
+
+def test_weights_of_another_network_are_no_beginning(tiny_config, tmp_path):
+    other = dataclasses.replace(tiny_config.policy, network='gat4sn')
+    with pytest.raises(ConfigError, match='policy.network = sarl, not gat4sn'):
+        train(dataclasses.replace(tiny_config, policy=other), tmp_path / 'run', init='sarl')
+    assert not (tmp_path / 'run').exists()
+
+
+@pytest.mark.parametrize('options', [{'resume': True}, {'overwrite': True}, {}])
+def test_two_trainings_never_share_a_folder(options, tiny_config, tmp_path):
+    with (
+        own_folder(tmp_path / 'run', resume=True, overwrite=False),
+        pytest.raises(ConfigError, match='in use by another training'),
+    ):
+        train(tiny_config, tmp_path / 'run', progress=False, **options)
+
+
+def test_training_that_would_not_fit_into_memory_is_refused_before_it_begins(
+    tiny_config, tmp_path
+):
+    config = with_training(tiny_config, replay_capacity=100_000_000, worlds=60_000)
+    crowded = dataclasses.replace(config.scenario, pedestrians=1000)
+    with pytest.raises(ConfigError, match='GiB'):
+        train(dataclasses.replace(config, scenario=crowded), tmp_path / 'run')
+    assert not (tmp_path / 'run').exists()
 
 
 def test_existing_run_is_not_touched(tiny_config, tmp_path):

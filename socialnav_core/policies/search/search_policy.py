@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 
 from socialnav_core.config import SearchConfig
+from socialnav_core.finiteness import require_finite
 from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.policies.search.candidates import Candidates, make_candidates, ways_on
 from socialnav_core.policies.search.costs import Costs
@@ -94,6 +95,7 @@ class SearchPolicy:
 
         :param limits: not used: the search has no inertia.
         """
+        require_finite(state)
         worlds = worlds_of(state)
         prediction = self.prediction = self.predictor.predict(state, self.times)
         modes, agents = prediction.positions.shape[1], prediction.positions.shape[3]

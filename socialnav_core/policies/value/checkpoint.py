@@ -10,10 +10,18 @@ import torch
 from torch import nn
 
 from socialnav_core.config import Config, ConfigError, PolicyConfig
-from socialnav_core.config.mapping import from_mapping, read_yaml, to_yaml
+from socialnav_core.config.documents import read_yaml, told_with_place
+from socialnav_core.config.mapping import from_mapping, to_yaml
 from socialnav_core.policies.value.gat4sn import Gat4snValueNetwork
 from socialnav_core.policies.value.sarl import SarlValueNetwork
-from socialnav_core.storage import atomic_write, CheckpointError
+from socialnav_core.storage import (
+    atomic_write,
+    canonical,
+    CheckpointError,
+    require_sane,
+    require_weights_file,
+    UNREADABLE,
+)
 
 Settings = TypeVar('Settings', bound=Any)
 
@@ -65,7 +73,7 @@ def write_tensors(folder: Path, name: str, network: nn.Module, config: str) -> N
         'config_digest': hashlib.sha256(text).hexdigest(),
     }
     atomic_write(folder / CONFIG, text)
-    atomic_write(folder / name, save(tensors, metadata))
+    atomic_write(folder / name, canonical(save(tensors, metadata)))
 
 
 def load_checkpoint(folder: Path) -> Checkpoint:
@@ -100,18 +108,17 @@ def fill_network(
     digest = tensors_digest(tensors)
     if metadata.get('digest') != digest:
         raise CheckpointError(f'{path} is altered: its digest does not match')
-    expected = {name: value.shape for name, value in network.state_dict().items()}
-    found = {name: value.shape for name, value in tensors.items()}
+    expected = {name: (v.shape, v.dtype) for name, v in network.state_dict().items()}
+    found = {name: (v.shape, v.dtype) for name, v in tensors.items()}
     if expected != found:
         differing = sorted(
             name for name in expected.keys() | found if expected.get(name) != found.get(name)
         )
         raise CheckpointError(
             f'{path} does not hold the network {kind} that '
-            f'{CONFIG} names: {differing[0]} is missing, unknown or of another shape'
+            f'{CONFIG} names: {differing[0]} is missing, unknown or of another shape or type'
         )
-    if not all(torch.isfinite(value).all() for value in tensors.values()):
-        raise CheckpointError(f'{path} holds values that are not finite')
+    require_sane({name: value.numpy() for name, value in tensors.items()}, path)
     network.load_state_dict(tensors)
     return digest
 
@@ -125,10 +132,11 @@ def read_config(path: Path, metadata: dict[str, str], kind: type[Settings]) -> S
     :raises CheckpointError: when it is missing, altered or holds no such config.
     """
     try:
+        with told_with_place(path, {}):
+            config = from_mapping(kind, read_yaml(path))
         text = path.read_bytes()
-        config = from_mapping(kind, read_yaml(path))
     except (OSError, ConfigError) as error:
-        raise CheckpointError(f'{path} is not the config of a checkpoint: {error}') from error
+        raise CheckpointError(f'not the config of a checkpoint: {error}') from error
     if metadata.get('config_digest') != hashlib.sha256(text).hexdigest():
         raise CheckpointError(
             f'{path} is altered: it is not the one that the weights were saved with'
@@ -142,12 +150,13 @@ def read_tensors(path: Path) -> tuple[dict[str, torch.Tensor], dict[str, str]]:
 
     :raises CheckpointError: when it is missing or no complete safetensors file.
     """
+    require_weights_file(path)
     try:
         with safe_open(path, framework='pt') as file:
             names = file.keys()  # the file itself cannot be iterated over
             tensors = {name: file.get_tensor(name) for name in names}
             return tensors, file.metadata() or {}
-    except (OSError, SafetensorError) as error:
+    except (SafetensorError, *UNREADABLE) as error:
         raise CheckpointError(f'{path} cannot be read as weights: {error}') from error
 
 
@@ -166,5 +175,6 @@ def tensors_digest(tensors: dict[str, torch.Tensor]) -> str:
     for name in sorted(tensors):
         value = tensors[name]
         digest.update(f'{name} {value.dtype} {tuple(value.shape)}'.encode())
-        digest.update(value.contiguous().view(torch.uint8).numpy().tobytes())
+        flat = value.contiguous().reshape(-1)  # a number without axes has no bytes to view
+        digest.update(flat.view(torch.uint8).numpy().tobytes())
     return digest.hexdigest()

@@ -6,6 +6,7 @@ import numpy as np
 from torch import nn
 
 from socialnav_core.config import PolicyConfig
+from socialnav_core.finiteness import require_finite
 from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.policies.value.inference import ValueInference
 from socialnav_core.policies.value.observation import observe, observe_candidates
@@ -96,6 +97,7 @@ class ValuePolicy:
         :param predictor: takes the place of the policy's own.
         :raises ConfigError: when the oracle is asked for and there is no simulator.
         """
+        require_finite(state)
         config = self.config
         prediction = (predictor or self.predictor).predict(state, self._times)
         velocities, deviation = one_step(prediction, state, config.time_step)

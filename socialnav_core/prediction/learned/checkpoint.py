@@ -10,12 +10,21 @@ from safetensors import safe_open, SafetensorError
 from safetensors.numpy import save
 
 from socialnav_core.config import ConfigError
-from socialnav_core.config.mapping import from_mapping, read_yaml, to_yaml
+from socialnav_core.config.documents import read_yaml, told_with_place
+from socialnav_core.config.mapping import from_mapping, to_yaml
 from socialnav_core.config.prediction import PredictionConfig
 from socialnav_core.places import MODELS
 from socialnav_core.prediction.learned.layout import INPUTS, OUTPUTS
 from socialnav_core.prediction.learned.predictor import LearnedPredictor
-from socialnav_core.storage import arrays_digest, atomic_write, CheckpointError
+from socialnav_core.storage import (
+    arrays_digest,
+    atomic_write,
+    canonical,
+    CheckpointError,
+    require_sane,
+    require_weights_file,
+    UNREADABLE,
+)
 
 WEIGHTS = 'prediction.safetensors'
 CONFIG = 'config.yaml'
@@ -55,7 +64,7 @@ def save_weights(
         'config_digest': hashlib.sha256(text).hexdigest(),
     }
     atomic_write(folder / CONFIG, text)
-    atomic_write(folder / WEIGHTS, save(dict(weights), metadata))
+    atomic_write(folder / WEIGHTS, canonical(save(dict(weights), metadata)))
 
 
 def load_weights(folder: Path) -> tuple[dict[str, np.ndarray], PredictionConfig]:
@@ -65,23 +74,26 @@ def load_weights(folder: Path) -> tuple[dict[str, np.ndarray], PredictionConfig]
     :raises CheckpointError: when a file is missing, damaged, altered or of another network.
     """
     path = folder / WEIGHTS
+    require_weights_file(path)
     try:
         with safe_open(path, 'numpy') as file:
             metadata = file.metadata() or {}
             names = file.keys()  # the file itself cannot be iterated over
             weights = {name: file.get_tensor(name) for name in names}
+        with told_with_place(folder / CONFIG, {}):
+            config = from_mapping(PredictionConfig, read_yaml(folder / CONFIG))
         text = (folder / CONFIG).read_bytes()
-        config = from_mapping(PredictionConfig, read_yaml(folder / CONFIG))
-    except (OSError, SafetensorError, ConfigError) as error:
+    except (SafetensorError, ConfigError, *UNREADABLE) as error:
         raise CheckpointError(f'{folder} holds no learned prediction: {error}') from error
     if metadata.get('config_digest') != hashlib.sha256(text).hexdigest():
         raise CheckpointError(f'{folder / CONFIG} is altered: the weights were saved with another')
     if metadata.get('digest') != arrays_digest(weights):
         raise CheckpointError(f'{path} is altered: its digest does not match')
-    if {name: array.shape for name, array in weights.items()} != shapes(config.training.width):
+    found = {name: array.shape for name, array in weights.items()}
+    single = all(array.dtype == np.float32 for array in weights.values())
+    if found != shapes(config.training.width) or not single:
         raise CheckpointError(f'{path} does not hold the network that {CONFIG} describes')
-    if not all(np.isfinite(array).all() for array in weights.values()):
-        raise CheckpointError(f'{path} holds values that are not finite')
+    require_sane(weights, path)
     return weights, config
 
 

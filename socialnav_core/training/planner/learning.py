@@ -23,7 +23,7 @@ from socialnav_core.progress import progress_bar
 from socialnav_core.simulation import Outcome
 from socialnav_core.simulation.layout import PackingError
 from socialnav_core.threads import chosen_threads
-from socialnav_core.training.folder import finish_folder, prepare_folder
+from socialnav_core.training.folder import finish_folder, own_folder
 from socialnav_core.training.interruption import Interruption, TrainingInterrupted
 from socialnav_core.training.planner.driving import COLLISIONS, Drive, drive, Examples, Preference
 from socialnav_core.training.planner.run import PlannerRun
@@ -60,7 +60,12 @@ def train_planner(
     :raises CheckpointError: when the state cannot be written.
     :raises TrainingInterrupted: after Ctrl-C or SIGTERM; the last whole round was saved.
     """
-    prepare_folder(out, resume, overwrite)
+    with own_folder(out, resume, overwrite):
+        run_in_folder(config, out, resume, progress)
+
+
+def run_in_folder(config: PlannerConfig, out: Path, resume: bool, progress: bool) -> None:
+    """Train in a folder that is prepared; see `train_planner`."""
     keep_freed_memory()
     with Interruption() as interruption:
         run = PlannerRun(config)
@@ -94,7 +99,8 @@ def stop_or_count(interruption: Interruption, bar: tqdm, run: PlannerRun, out: P
             else 'nothing was saved yet'
         )
         raise TrainingInterrupted(
-            f'stopped after {run.rounds} of {run.config.training.rounds} rounds; {how}'
+            f'stopped after {run.rounds} of {run.config.training.rounds} rounds; {how}',
+            interruption.number,
         )
 
 

@@ -10,10 +10,11 @@ from torch import nn
 
 from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config.prediction import PredictionConfig, PredictionTrainingConfig
+from socialnav_core.memory import prediction_bytes, require_memory
 from socialnav_core.prediction.learned.checkpoint import save_weights
 from socialnav_core.progress import progress_bar
 from socialnav_core.threads import chosen_threads
-from socialnav_core.training.folder import finish_folder, prepare_folder
+from socialnav_core.training.folder import finish_folder, own_folder
 from socialnav_core.training.interruption import Interruption, TrainingInterrupted
 from socialnav_core.training.prediction.examples import draw_examples
 from socialnav_core.training.prediction.network import loss_of
@@ -48,7 +49,13 @@ def train_prediction(
     :raises CheckpointError: when the state cannot be written.
     :raises TrainingInterrupted: after Ctrl-C or SIGTERM; the run was saved.
     """
-    prepare_folder(out, resume, overwrite)
+    require_memory(prediction_bytes(config), 'the training')
+    with own_folder(out, resume, overwrite):
+        run_in_folder(config, out, resume, progress)
+
+
+def run_in_folder(config: PredictionConfig, out: Path, resume: bool, progress: bool) -> None:
+    """Train in a folder that is prepared; see `train_prediction`."""
     keep_freed_memory()
     with Interruption() as interruption:
         sections = load_state(out, config) if resume else None
@@ -71,7 +78,7 @@ def train_prediction(
                 bar.set_postfix_str(f'error {row["error_1s"]:.3f} m after 1 s')
                 bar.update(run.updates - before)
         if interruption.requested and not run.finished:
-            raise TrainingInterrupted(how_to_resume(run, out))
+            raise TrainingInterrupted(how_to_resume(run, out), interruption.number)
     finish_folder(out)
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import sys
 from typing import Any
 
-from socialnav_core.commands.arguments import add_command, positive_number
+from socialnav_core.commands.arguments import add_command, JOBS, whole_number
 from socialnav_core.config import ConfigError
 
 EXAMPLES = """table2 --quick
@@ -32,11 +32,13 @@ def add_parser(commands: Any) -> None:
         '--quick', action='store_true', help='a smoke run of minutes; writes to out/reproduce only'
     )
     parser.add_argument(
-        '--seeds', type=positive_number, metavar='N', help='training seeds (10 or 3, by the table)'
-    )
+        '--seeds', type=whole_number(1, 1000), metavar='N',
+        help='training seeds (10 or 3, by the table)',
+    )  # fmt: skip
     parser.add_argument(
-        '--jobs', type=positive_number, default=1, metavar='N', help='processes side by side (1)'
-    )
+        '--jobs', type=whole_number(*JOBS), default=1, metavar='N',
+        help='processes side by side (1)',
+    )  # fmt: skip
     parser.add_argument(
         '--device', choices=('cpu', 'cuda'), default='cpu', help='where networks are trained (cpu)'
     )

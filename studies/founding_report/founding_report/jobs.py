@@ -168,8 +168,8 @@ def terminated_like_interrupted() -> Iterator[None]:
 
 
 def raise_interrupt(number: int, frame: FrameType | None) -> None:
-    """Raise KeyboardInterrupt."""
-    raise KeyboardInterrupt
+    """Raise KeyboardInterrupt, which keeps the number of the signal."""
+    raise KeyboardInterrupt(number)
 
 
 def last_line(log: Path) -> str:

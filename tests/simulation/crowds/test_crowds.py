@@ -125,7 +125,8 @@ def test_who_does_not_react_walks_alike_whoever_else_is_there():
 
 
 def test_who_does_not_react_gets_another_goal_on_arrival():
-    simulator = Simulator(world_of('non_reactive', 'simple', time_limit=1e6, robot_radius=1e-6), 4)
+    world = world_of('non_reactive', 'simple', time_limit=3600.0, robot_radius=0.01)
+    simulator = Simulator(world, 4)
     simulator.reset(seed=2)
     before = simulator.get_state()['goal'][:, :5]
     for _ in range(80):
