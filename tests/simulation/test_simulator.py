@@ -165,7 +165,9 @@ def test_arrived_pedestrians_get_another_goal_free_of_obstacles():
     assert gap.min() > 0.2 - 1e-9
 
 
-@pytest.mark.parametrize('command', [np.zeros((3, 2)), np.zeros(2), np.full((2, 2), np.nan)])
+@pytest.mark.parametrize(
+    'command', [np.zeros((3, 2)), np.zeros(2), np.full((2, 2), np.nan), np.full((2, 2), -1e18)]
+)
 def test_a_command_that_is_none_is_refused(command):
     simulator = Simulator(make_scenario('simple'), 2)
     simulator.reset()
