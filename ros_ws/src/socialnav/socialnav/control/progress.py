@@ -84,7 +84,7 @@ class ProgressCheck:
         if self._moved() >= near:
             cause = ASTRAY
         else:
-            cause = STANDS if self._driven < near else HELD
+            cause = STANDS if self._driven < near / 2 else HELD
         limit = settings.progress_stop_timeout if self.stopped else settings.progress_timeout
         lack = f'not {near:g} m nearer to the goal in {limit:g} s of driving'
         end = f'; {GIVEN_UP}' if self.stopped else ''
