@@ -232,8 +232,12 @@ class Simulator:
         command = np.asarray(command, dtype=np.float64)
         if command.shape != (self.batch_size, 2):
             raise ValueError(f'command must be ({self.batch_size}, 2), not {command.shape}')
-        if not (np.abs(command[self._episodes.active]) <= FASTEST).all():  # nor not a number
-            raise ValueError(f'command is not finite or above {FASTEST:g} m/s')
+        given = np.abs(command[self._episodes.active])
+        if not (given <= FASTEST).all():
+            absurd = (
+                f'beyond {FASTEST:g} m/s or rad/s' if np.isfinite(given).all() else 'not finite'
+            )
+            raise ValueError(f'command is {absurd}')
         return command
 
     def _decide(self) -> np.ndarray:

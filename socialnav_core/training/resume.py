@@ -24,7 +24,8 @@ STATE_NAME = 'training_state.safetensors'
 FINISHED_NAME = 'finished_state.safetensors'
 """What the state is called once the run is as long as it should be."""
 LENGTHS = ('training.iterations', 'training.episodes', 'training.updates')
-"""Settings that say how long a run is; it may be resumed with more."""
+ROUNDS = 'training.rounds'
+"""Settings that say how long a run is, the latter where there is one; it may have more."""
 FORMAT = 'socialnav training state 1'
 
 Arrays = dict[str, np.ndarray]
@@ -111,11 +112,16 @@ def state_file(folder: Path) -> Path:
     )
 
 
+def lengths(settings: Mapping[str, Any]) -> tuple[str, ...]:
+    """Return which of the settings of a run say how long it is."""
+    return (ROUNDS,) if ROUNDS in settings else LENGTHS
+
+
 def require_longer(saved: Mapping[str, Any], given: Mapping[str, Any]) -> None:
     """Raise a ConfigError unless a finished run is asked to be longer than it is."""
     old, new = flatten(saved), flatten(given)
     # iterations count for nothing where the length is given in episodes
-    name = next(name for name in reversed(LENGTHS) if old.get(name))
+    name = next(name for name in reversed(lengths(old)) if old.get(name))
     if old[name] == new[name]:
         raise ConfigError(
             f'the run is finished after {name} = {old[name]}; make it longer by a greater one, '
@@ -131,7 +137,7 @@ def require_same(saved: Mapping[str, Any], given: Mapping[str, Any]) -> None:
     """
     old, new = flatten(saved), flatten(given)
     for name in sorted(old.keys() | new.keys()):
-        if name in LENGTHS and 0 < (old.get(name) or 0) < (new.get(name) or 0):
+        if name in lengths(old) and 0 < (old.get(name) or 0) < (new.get(name) or 0):
             continue
         if old.get(name) != new.get(name):
             raise ConfigError(

@@ -17,13 +17,13 @@ from std_srvs.srv import Trigger
 from socialnav import qos
 from socialnav.control.controller import Controller
 from socialnav.control.diagnostics import controller_facts
-from socialnav.control.inputs import AGEING
 from socialnav.control.models import ready_policy
 from socialnav.control.settings import controller_settings
 from socialnav.messages.frames import not_asked
-from socialnav.messages.reading import message_in
+from socialnav.messages.reading import READERS
 from socialnav.messages.transforms import Transforms
 from socialnav.messages.unread import Unread
+from socialnav.neighbours import concerns_of_base, concerns_of_input, rivals
 from socialnav.parameters.policy import PolicyParameters
 from socialnav.policy_outputs import PolicyOutputs
 from socialnav.realtime.alarm import Alarm
@@ -83,15 +83,15 @@ class Driver:
             inputs.append(('plan', Path, qos.PLAN))
         if self.controller.settings.use_map:
             inputs.append(('map', OccupancyGrid, qos.MAP))
-        self.subscriptions = [self.create_input(*one) for one in inputs]
+        self.subscriptions = {name: self.create_input(name, *rest) for name, *rest in inputs}
         self.cancelling = self.node.create_service(Trigger, '~/cancel_goal', self.on_cancel)
 
     def create_input(self, name: str, kind: type, profile: QoSProfile) -> Subscription:
-        """Make a subscription; what comes often is not read until it is wanted."""
-        raw = name in AGEING and not self.lockstep
+        """Make a subscription; what comes often, or is long, is not read until it is wanted."""
+        raw = kind in READERS and not self.lockstep
         callback = partial(self.on_input, name)
         if raw:
-            callback = partial(self.on_unread, name, partial(message_in, kind))
+            callback = partial(self.on_unread, name, READERS[kind])
         return self.node.create_subscription(kind, name, callback, profile, raw=raw)
 
     def start(self, parameters: PolicyParameters) -> None:
@@ -99,6 +99,7 @@ class Driver:
         self.use(parameters)
         self.running = True
         self.outputs.begin()
+        self.controller.progress.begin()
         if not self.lockstep:
             settings, clock = self.controller.settings, pacing_clock(self.node)
             self.punctuality = Punctuality(settings.period)
@@ -132,7 +133,7 @@ class Driver:
     def close(self) -> None:
         """Stop the robot and give up all topics."""
         self.stop()
-        for subscription in self.subscriptions:
+        for subscription in self.subscriptions.values():
             self.node.destroy_subscription(subscription)
         self.outputs.close()
         self.node.destroy_service(self.cancelling)
@@ -222,5 +223,18 @@ class Driver:
         ages = self.controller.input_ages(self.node.get_clock().now().nanoseconds)
         controller = self.controller
         model, plan = self.made_for.model, controller.plan.note
-        facts = controller_facts(model, plan, ages, controller.tally)
+        idle = controller.progress.idle
+        facts = controller_facts(model, plan, idle, ages, controller.tally)
         return facts | self.punctuality.facts()
+
+    def concerns(self) -> list[str]:
+        """Return what is wrong besides what makes the robot stand, as far as the graph tells."""
+        outputs, node = self.outputs, self.node
+        others = rivals(node, outputs.commands)
+        found = [f'cmd_vel has other publishers: {", ".join(others)}'] * bool(others)
+        driving = outputs.reason is None
+        found += concerns_of_base(node, outputs.commands, outputs.stamped, driving)
+        for name, heard in self.subscriptions.items():
+            if outputs.reason == f'no {name}':
+                found += concerns_of_input(node, heard, expected=name != 'goal_pose')
+        return found + self.controller.concerns()

@@ -8,8 +8,11 @@ from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackRet
 from rclpy.parameter import Parameter
 
 from socialnav import qos
+from socialnav.control.announcer import Announcer
 from socialnav.control.diagnostics import diagnostics_message
+from socialnav.control.requirements import requirements, risks
 from socialnav.driver import Driver
+from socialnav.lifecycle import answer_every_transition
 from socialnav.parameters.declaring import declare, updated
 from socialnav.parameters.fields import same_but_live
 from socialnav.parameters.policy import PolicyParameters
@@ -18,6 +21,7 @@ from socialnav.running import run
 
 SUCCESS, FAILURE = TransitionCallbackReturn.SUCCESS, TransitionCallbackReturn.FAILURE
 STEADY = ClockType.STEADY_TIME
+ALL_IS_WELL = 'nothing else is wrong any more'
 DIAGNOSIS_PERIOD = 1.0
 """Time between two diagnoses, even where no other clock runs, s."""
 
@@ -32,9 +36,11 @@ class PolicyNode(LifecycleNode):
         :raises ParameterError: a parameter that cannot be used.
         """
         super().__init__('policy_node')
+        answer_every_transition(self)
         self.driver: Driver | None = None
         self.label = 'unconfigured'
         self.problem: str | None = None
+        self.alarmist = Announcer(self.get_logger().warning)
         self.health = self.create_publisher(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
         self.create_timer(DIAGNOSIS_PERIOD, self.diagnose, clock=Clock(clock_type=STEADY))
         self.settings = declare(self, PolicyParameters, lambda: self.driving() is not None)
@@ -82,6 +88,7 @@ class PolicyNode(LifecycleNode):
         set_aside()
         driver.start(self.settings)
         self.enter('active')
+        self.announce()
         return result
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -110,20 +117,34 @@ class PolicyNode(LifecycleNode):
         self.enter('unconfigured')
         return super().on_error(state)
 
+    def announce(self) -> None:
+        """Say what the robot needs to drive; warn of what it drives without."""
+        if self.settings.lockstep:
+            return
+        logger = self.get_logger()
+        logger.info(requirements(self.settings))
+        if (risk := risks(self.settings)) is not None:
+            logger.warning(risk)
+
     def enter(self, label: str) -> None:
         """Remember a state of the life cycle."""
         self.label, self.problem = label, None
         self.diagnose()
 
     def diagnose(self) -> None:
-        """Publish how the node is."""
-        driving = self.driving()
-        reason = self.problem if driving is None else driving.outputs.reason
-        facts = {} if self.driver is None else self.driver.facts()
-        rivals = [] if self.driver is None else self.driver.outputs.rivals()
+        """Publish how the node is; log what else is wrong while it drives."""
+        driving, driver = self.driving(), self.driver
+        reason = self.problem if driving is None else driving.outputs.trouble
+        facts = {} if driver is None else driver.facts()
+        concerns = [] if driver is None else driver.concerns()
+        if driving is not None:
+            self.alarmist.tell(
+                '; '.join(concerns) or 'nothing else is wrong', aloud=bool(concerns)
+            )
+            concerns = [one for one in (driving.outputs.concern, *concerns) if one]
         now = self.get_clock().now().nanoseconds
         name = self.get_name()
-        self.health.publish(diagnostics_message(now, name, self.label, reason, facts, rivals))
+        self.health.publish(diagnostics_message(now, name, self.label, reason, facts, concerns))
 
     def release(self) -> None:
         """Give up everything that was made at configuration."""

@@ -1,20 +1,20 @@
 """What the policy node publishes about its decisions."""
 
 from collections.abc import Callable
-import contextlib
 import time
 
 from geometry_msgs.msg import Twist, TwistStamped
 from nav_msgs.msg import Path
 from rclpy.duration import Duration
 from rclpy.lifecycle import LifecycleNode
-from std_msgs.msg import Bool
+from std_msgs.msg import Bool, String
 from visualization_msgs.msg import MarkerArray
 
 from socialnav import qos
+from socialnav.control.announcer import Announcer
 from socialnav.control.controller import Controller, Decision, NO_COMMAND
 from socialnav.control.plan import FOLLOWED, NO_PLAN
-from socialnav.control.reasons import ARRIVED, UNDECIDED
+from socialnav.control.reasons import ARRIVED, DRIVING, UNDECIDED
 from socialnav.messages.filling import filled
 from socialnav_core.messages import (
     attention_markers,
@@ -24,6 +24,7 @@ from socialnav_core.messages import (
     twist,
 )
 
+STANDING = 'standing'
 LAST_WORD = Duration(nanoseconds=500_000_000)
 """How long it is waited at the end for the last command to arrive."""
 
@@ -43,21 +44,24 @@ class PolicyOutputs:
         self.controller = controller
         self.on_change = on_change
         self.reason: str | None = UNDECIDED
+        self.concern: str | None = None
         self.goal_reached: bool | None = None
         self.latest_command = 0.0
-        self.plan_note = NO_PLAN
+        self.spokesman = Announcer(self.log)
+        self.on_plan = Announcer(node.get_logger().warning)
         self.base_frame = controller.settings.base_frame
         self.lockstep = controller.settings.lockstep
         self.stamped = controller.settings.stamped
         create = node.create_lifecycle_publisher
         self.commands = create(TwistStamped if self.stamped else Twist, 'cmd_vel', qos.COMMAND)
         self.arrivals = create(Bool, '~/goal_reached', qos.GOAL_REACHED)
+        self.states = create(String, '~/state', qos.STATE)
         self.attention = create(MarkerArray, '~/attention', qos.ATTENTION)
         self.path = create(Path, '~/predicted_path', qos.PREDICTED_PATH)
 
     def begin(self) -> None:
         """Tell everything anew."""
-        self.reason, self.goal_reached = UNDECIDED, None
+        self.reason, self.concern, self.goal_reached = UNDECIDED, None, None
 
     def end(self) -> None:
         """Stop the robot: a zero command is the last one."""
@@ -66,14 +70,15 @@ class PolicyOutputs:
 
     def close(self) -> None:
         """Give up the topics."""
-        for publisher in (self.commands, self.arrivals, self.attention, self.path):
+        everything = (self.commands, self.arrivals, self.states, self.attention, self.path)
+        for publisher in everything:
             self.node.destroy_lifecycle_publisher(publisher)
 
     def publish(self, decision: Decision) -> None:
         """Publish a command, and say why the robot stands."""
         if decision.publish:
             self.send(decision)
-        self.report(decision.reason)
+        self.report(decision.reason, decision.concern)
         self.report_plan(self.controller.plan.note)
         if self.goal_reached != self.controller.goal_reached:
             self.goal_reached = self.controller.goal_reached
@@ -100,30 +105,43 @@ class PolicyOutputs:
                 markers = attention_markers(intention.state, weights, now, frame)
                 self.attention.publish(filled(MarkerArray, markers))
 
-    def rivals(self) -> list[str]:
-        """Return the other publishers of commands, by their nodes."""
-        ends = self.node.get_publishers_info_by_topic(self.commands.topic_name)
-        names = [f'{one.node_namespace.rstrip("/")}/{one.node_name}' for one in ends]
-        with contextlib.suppress(ValueError):
-            names.remove(self.node.get_fully_qualified_name())
-        return sorted(names)
+    def report(self, reason: str | None, concern: str | None = None) -> None:
+        """
+        Say what the robot does, when that changes.
 
-    def report(self, reason: str | None) -> None:
-        """Say why the robot stands, when that changes; the reason is None while it drives."""
-        if reason == ARRIVED != self.reason:
-            self.node.get_logger().info(reason)
-        elif reason not in (None, self.reason):
-            self.node.get_logger().warning(f'standing: {reason}', throttle_duration_sec=1.0)
-        if reason != self.reason:
-            self.reason = reason
+        :param reason: why it stands; None while it drives.
+        :param concern: what is wrong though it drives.
+        """
+        changed = (reason, concern) != (self.reason, self.concern)
+        self.reason, self.concern = reason, concern
+        self.spokesman.tell(self.state, aloud=self.state != DRIVING)
+        if changed:
+            self.states.publish(String(data=self.state))
             self.on_change()
+
+    @property
+    def trouble(self) -> str | None:
+        """Return why the robot stands, or what is wrong though it drives; None if nothing."""
+        return self.reason or self.concern
+
+    @property
+    def state(self) -> str:
+        """Return what the robot does, in words."""
+        if self.reason in (None, ARRIVED):
+            return self.reason or self.concern or DRIVING
+        return f'{STANDING}: {self.reason}'
+
+    def log(self, state: str) -> None:
+        """Write a line about what the robot does."""
+        logger = self.node.get_logger()
+        (logger.info if state in (DRIVING, ARRIVED) else logger.warning)(state)
 
     def report_plan(self, note: str) -> None:
         """Say why a plan is not followed, when that changes."""
-        if note not in (NO_PLAN, FOLLOWED, self.plan_note):
-            text = f'{note}; heading for the goal itself'
-            self.node.get_logger().warning(text, throttle_duration_sec=1.0)
-        self.plan_note = note
+        if note == FOLLOWED:
+            self.on_plan.tell('the plan is followed', aloud=False)
+        elif note != NO_PLAN:
+            self.on_plan.tell(f'plan {note}; heading for the goal itself')
 
     def send(self, decision: Decision) -> None:
         """Publish a command as the type that is wanted."""

@@ -6,6 +6,7 @@ from typing import Any
 
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from nav_msgs.msg import OccupancyGrid, Odometry
+import numpy as np
 from rclpy.clock import Clock, ClockType
 from rclpy.event_handler import PublisherEventCallbacks, QoSPublisherMatchedInfo
 from rclpy.node import Node
@@ -15,7 +16,7 @@ from std_srvs.srv import SetBool
 from visualization_msgs.msg import MarkerArray
 
 from socialnav import qos
-from socialnav.messages.commands import command_array
+from socialnav.messages.commands import command_array, executed
 from socialnav.messages.conversions import ConversionError, goal_array
 from socialnav.messages.filling import filled
 from socialnav.messages.occupancy import map_message
@@ -132,7 +133,7 @@ class SimulatorNode(Node):
         :param stamp: time of the state that it answers, ns.
         """
         try:
-            command = command_array(message, self.world.scenario.kinematics)
+            command = self.executed(command_array(message, self.world.scenario.kinematics))
         except ConversionError as error:
             self.get_logger().warning(f'ignored: {error}', throttle_duration_sec=1.0)
             return
@@ -141,6 +142,15 @@ class SimulatorNode(Node):
         elif self.world.answer(command, stamp):
             self.pace.reset()
             self.publish_advance()
+
+    def executed(self, command: np.ndarray) -> np.ndarray:
+        """Return what the base makes of a command, (2,); say where that is another one."""
+        limits = self.settings.limits
+        result = executed(command, self.world.scenario.kinematics, limits)
+        if (result != command).any():
+            text = f'cmd_vel is beyond {limits.speed:g} m/s or {limits.turn_rate:g} rad/s: limited'
+            self.get_logger().warning(text, throttle_duration_sec=1.0)
+        return result
 
     def on_goal(self, message: PoseStamped) -> None:
         """Send the robot to a goal that somebody else set, in either frame since they coincide."""

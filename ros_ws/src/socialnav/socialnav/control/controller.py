@@ -10,6 +10,7 @@ import numpy as np
 from socialnav.control.extrapolation import extrapolate
 from socialnav.control.inputs import Inputs
 from socialnav.control.plan import PlanFollower
+from socialnav.control.progress import ProgressCheck
 from socialnav.control.reasons import ARRIVED, STALLED
 from socialnav.control.runs import Run
 from socialnav.control.tally import Tally
@@ -36,6 +37,8 @@ class Decision:
     """False once the robot has stood for so long that others may command it."""
     stamp: int = 0
     """Time of the state that is answered in lockstep, ns."""
+    concern: str | None = None
+    """What is wrong though it drives."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -71,10 +74,11 @@ class Controller:
         self.tally = Tally()
         self.intention: Intention | None = None
         self.plan = PlanFollower()
+        self.progress = ProgressCheck()
         self._policy = policy
         self._steady = steady
         self._locate = locate
-        self._inputs = Inputs()
+        self._inputs = Inputs(steady)
         self._run = Run()
         self._latency = 0.0
         self._standing_since: float | None = None
@@ -90,6 +94,7 @@ class Controller:
 
     def cancel_goal(self) -> bool:
         """Forget the goal, so that the robot stands; return whether there was one."""
+        self.progress.begin()
         return self._inputs.cancel_goal()
 
     def input_ages(self, now: int) -> dict[str, float]:
@@ -99,6 +104,14 @@ class Controller:
         :param now: ns, on the clock of the stamps.
         """
         return self._inputs.ages(now)
+
+    def concerns(self) -> list[str]:
+        """Return what is assumed of inputs that do not tell it."""
+        odometry = self._inputs.newest('odom') if self._latest else None
+        if odometry is None or odometry.child_frame_id:
+            return []
+        base = self.settings.base_frame
+        return [f'odom has no child_frame_id: its twist is taken to be in {base}']
 
     def time_left(self, now: int) -> float:
         """
@@ -130,7 +143,9 @@ class Controller:
         if lockstep and self._latest is not None and self._latest.stamp == stamp:
             return self._latest  # the state came again because the answer was lost
         command, reason = self._choose(now)
-        self._latest = Decision(command, reason, self._to_be_published(reason), stamp)
+        published = self._to_be_published(reason)
+        concern = self.progress.complaint if reason is None else None
+        self._latest = Decision(command, reason, published, stamp, concern)
         return self._latest
 
     def stall(self) -> Decision:
@@ -171,7 +186,14 @@ class Controller:
         self.goal_reached = self.goal_reached or bool(distance < self.settings.goal_tolerance)
         if self.goal_reached:
             return NO_COMMAND, ARRIVED
-        return self._drive(self._on_plan(self._coming_state(state, now), now))
+        coming = self._coming_state(state, now)
+        command, reason = self._drive(self._on_plan(coming, now))
+        if reason is None and not self.settings.lockstep:
+            self._watch_progress(coming, command)
+        if self.progress.stopped:
+            self.intention = None
+            return NO_COMMAND, self.progress.complaint
+        return command, reason
 
     def _known_state(self, now: int) -> CrowdState:
         """Return the world at the inputs' own times, the nearest agents; begin a run if new."""
@@ -180,6 +202,7 @@ class Controller:
         moment = self._inputs.stamp('odom') if settings.lockstep else now
         if self._run.begins(goal, moment, 1.5 * settings.period if settings.lockstep else None):
             self.goal_reached = False
+            self.progress.begin()
             self._policy.reset()
         state.time[:] = self._run.time
         return self._with_map(state.nearest(settings.max_agents))
@@ -192,7 +215,7 @@ class Controller:
         )
         return crowd_state(
             odometry, goal, pedestrians, obstacles, settings.body, settings.planning_frame,
-            locate=self._locate,
+            locate=self._locate, base_frame=settings.base_frame,
         )  # fmt: skip
 
     def _with_map(self, state: CrowdState) -> CrowdState:
@@ -226,6 +249,20 @@ class Controller:
         )
         turn_rate = self._inputs.newest('odom').twist.twist.angular.z
         return extrapolate(state, max(robot, 0.0), turn_rate, max(people, 0.0))
+
+    def _watch_progress(self, state: CrowdState, command: np.ndarray) -> None:
+        """
+        See whether the robot comes nearer to its goal.
+
+        :param state: with the goal itself, batch of one.
+        :param command: that the policy chose, in the frame of the robot, (2,).
+        """
+        settings, robot, plan = self.settings, state.robot, self.plan
+        straight = float(np.linalg.norm(robot.goal[0] - robot.position[0]))
+        way = straight if plan.way is None else plan.way
+        self.progress.look(robot.position[0], way, plan.followed, settings)
+        speeds = kinematics_of(settings.kinematics).twist(command)[:2]
+        self.progress.choose(float(np.hypot(*speeds)), settings)
 
     def _drive(self, state: CrowdState) -> tuple[np.ndarray, str | None]:
         """Return the command that the policy chooses, within the limits."""

@@ -2,7 +2,7 @@
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 
-from socialnav.control.reasons import ARRIVED, NO_GOAL, STALLED
+from socialnav.control.reasons import ARRIVED, DRIVING, GIVEN_UP, NO_GOAL, STALLED
 from socialnav.control.tally import Tally
 from socialnav.messages.stamps import header_message
 
@@ -15,19 +15,20 @@ def diagnostics_message(
     state: str,
     reason: str | None,
     facts: dict[str, str],
-    rivals: list[str],
+    concerns: list[str],
 ) -> DiagnosticArray:
     """
     Return the health of a node.
 
     :param reason: why the robot stands, or why the node is not configured; None for no reason.
-    :param rivals: other nodes that may command the robot; no fault while this one does not.
+    :param concerns: what is wrong besides; no fault of a node that is not active.
     """
-    message = reason or ('driving' if state == ACTIVE else state)
+    told = [reason or (DRIVING if state == ACTIVE else state)]
     level = level_of(state, reason)
-    if rivals and state == ACTIVE:
-        message += f'; cmd_vel has other publishers: {", ".join(rivals)}'
+    if concerns and state == ACTIVE:
+        told += concerns
         level = max(level, DiagnosticStatus.WARN)
+    message = '; '.join(told)
     values = {'state': state} | facts
     status = DiagnosticStatus(
         level=level,
@@ -42,23 +43,25 @@ def level_of(state: str, reason: str | None) -> bytes:
     """Return how bad it is: standing without a goal is no fault, for another reason it is."""
     if reason in (None, ARRIVED, NO_GOAL):
         return DiagnosticStatus.OK
-    if state != ACTIVE or reason == STALLED:
+    if state != ACTIVE or reason == STALLED or reason.endswith(GIVEN_UP):
         return DiagnosticStatus.ERROR
     return DiagnosticStatus.WARN
 
 
 def controller_facts(
-    model: str, plan: str, ages: dict[str, float], tally: Tally
+    model: str, plan: str, idle: float, ages: dict[str, float], tally: Tally
 ) -> dict[str, str]:
     """
     Return what is known of a controller, by name.
 
     :param plan: whether one is followed.
+    :param idle: time of driving since the latest progress, s.
     :param ages: of its inputs, s.
     """
     return {
         'model': model,
         'plan': plan,
+        'driven without progress [s]': f'{idle:.1f}',
         **{f'age of {name} [s]': f'{age:.2f}' for name, age in ages.items()},
         'decisions': str(tally.decisions),
         'late decisions': str(tally.late),

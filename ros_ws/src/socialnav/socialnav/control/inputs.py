@@ -1,6 +1,8 @@
 """The newest message of each input, and what keeps a robot from acting on them."""
 
+from collections.abc import Callable
 import math
+import time
 from typing import Any
 
 from geometry_msgs.msg import PoseStamped
@@ -13,6 +15,12 @@ NAMES = ('odom', 'pedestrians', 'obstacles', 'goal_pose')
 OPTIONAL = ('plan', 'map')
 """Inputs that a state in lockstep does not have."""
 AGEING = ('odom', 'pedestrians')
+ANOTHER_CLOCK = 1e8
+"""Three years, s: a stamp so old is none, or that of a simulated clock."""
+OUT_OF_STEP = 'are the clocks in step?'
+ANOTHER_TIME = 'it has no stamp, or use_sim_time differs between the nodes'
+"""What may be wrong with a stamp."""
+UNREADABLE = 'a message that cannot be read'
 
 
 class Inputs:
@@ -22,7 +30,14 @@ class Inputs:
     odom and pedestrians age; obstacles only where a time-out is set; a goal never does.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, steady: Callable[[], float] = time.monotonic) -> None:
+        """
+        Have nothing yet.
+
+        :param steady: a clock that always runs, s.
+        """
+        self._steady = steady
+        self._came: dict[str, float] = {}
         self._newest: dict[str, Any] = {}
         self._unread: set[str] = set()
         self._cancelled: PoseStamped | None = None
@@ -34,7 +49,7 @@ class Inputs:
         A goal without a stamp was typed by somebody, who means it each time.
 
         :param name: one of NAMES or OPTIONAL.
-        :param message: it has a header; odom and pedestrians may be unread.
+        :param message: it has a header, once it has been read.
         """
         if (
             name == 'goal_pose'
@@ -42,7 +57,7 @@ class Inputs:
             and nanoseconds_of(message.header.stamp)
         ):
             return
-        self._newest[name] = message
+        self._newest[name], self._came[name] = message, self._steady()
         if name in NAMES:
             self._unread.add(name)
 
@@ -100,13 +115,16 @@ class Inputs:
         for name in wanted:
             if name not in self._newest:
                 return f'no {name}'
-        for name in AGEING:  # read only now, since nothing is missing
-            if self.newest(name) is None:
-                return f'{name}: a message that cannot be read'
+        for name in (*AGEING, 'obstacles'):  # read only now, since nothing is missing
+            if name in self._newest and self.newest(name) is None:
+                return f'{name}: {UNREADABLE}' + ', or is too long' * (name != 'odom')
         if settings.lockstep:
             return None
-        ages, timeouts = self.ages(now), self._timeouts(settings)
-        complaints = (age_complaint(name, ages[name], timeouts[name]) for name in timeouts)
+        ages, timeouts, present = self.ages(now), self._timeouts(settings), self._steady()
+        complaints = (
+            age_complaint(name, ages[name], timeouts[name], present - self._came[name])
+            for name in timeouts
+        )
         return next(filter(None, complaints), None)
 
     def time_left(self, now: int, settings: PolicyParameters) -> float:
@@ -132,20 +150,28 @@ class Inputs:
 
         :param now: ns, on the clock of the stamps.
         """
+        if 'plan' in self._newest and self.newest('plan') is None:
+            return f'plan: {UNREADABLE}'
         if settings.plan_timeout == 0 or 'plan' not in self._newest:
             return None
         return age_complaint('plan', self.ages(now)['plan'], settings.plan_timeout)
 
 
-def age_complaint(name: str, age: float, timeout: float) -> str | None:
+def age_complaint(name: str, age: float, timeout: float, here: float = math.inf) -> str | None:
     """
     Return what is wrong with the age of an input, or None.
 
-    :param age: s, negative in the future.
+    :param age: by its stamp, s, negative in the future.
     :param timeout: the largest age, s; a stamp as far in the future is as bad.
+    :param here: time since it came, s, by a clock that always runs.
     """
-    if age > timeout:
-        return f'{name} older than {timeout:g} s'
     if age < -timeout:
-        return f'{name} from the future: are the clocks in step?'
-    return None
+        return f'{name} from the future: {OUT_OF_STEP if age > -ANOTHER_CLOCK else ANOTHER_TIME}'
+    if age <= timeout:
+        return None
+    old = f'{name} older than {timeout:g} s'
+    if age - here <= timeout:
+        return old
+    if age > ANOTHER_CLOCK:
+        return f'{old} by its stamp, though it has just come: {ANOTHER_TIME}'
+    return f'{old} by its stamp, though it has just come: {OUT_OF_STEP}'

@@ -1,13 +1,15 @@
 """A planner's path, followed by heading for a point on it that is always a little farther on."""
 
-from nav_msgs.msg import Path
 import numpy as np
 
 from socialnav.messages.conversions import ConversionError, finite, placement_of
 from socialnav.messages.frames import Locate, not_asked
+from socialnav.messages.paths import ReadPath
 
 NO_PLAN = 'none'
 FOLLOWED = 'followed'
+MOST_POSES = 100_000
+"""Poses of the longest plan that is followed, so that a decision stays in time."""
 
 
 class PlanFollower:
@@ -15,12 +17,14 @@ class PlanFollower:
 
     def __init__(self) -> None:
         self.note = NO_PLAN
-        self._message: Path | None = None
+        self.followed: ReadPath | None = None
+        self.way: float | None = None
+        self._message: ReadPath | None = None
         self._progress: float | None = None
 
     def heading_point(
         self,
-        plan: Path | None,
+        plan: ReadPath | None,
         position: np.ndarray,
         goal: np.ndarray,
         ahead: float,
@@ -31,7 +35,8 @@ class PlanFollower:
         """
         Return where to head for, m, (2,): the goal itself where the plan cannot be used.
 
-        `note` says then whether the plan is followed, or why it is ignored.
+        `note` says then whether the plan is followed, or why it is ignored; `followed` is the plan
+        that is, and `way` what is left of it, m, None without one.
 
         :param position: of the robot, m, (2,).
         :param goal: where the run ends, m, (2,).
@@ -41,23 +46,25 @@ class PlanFollower:
         """
         if plan is not self._message:
             self._message, self._progress = plan, None
-        if plan is None:
+        self.followed = self.way = None
+        if plan is None and complaint is None:
             self.note = NO_PLAN
             return goal
         try:
-            if complaint is not None:
+            if plan is None or complaint is not None:
                 raise ConversionError(complaint)
             points = plan_points(plan, goal, ahead, frame, locate)
         except ConversionError as error:
             self.note = f'ignored: {error}'
             return goal
-        self.note = FOLLOWED
+        self.note, self.followed = FOLLOWED, plan
         self._progress = progress_along(points, position, self._progress, ahead)
+        self.way = length_of(points) - self._progress
         return point_at(points, self._progress + ahead, goal)
 
 
 def plan_points(
-    plan: Path, goal: np.ndarray, ahead: float, frame: str, locate: Locate
+    plan: ReadPath, goal: np.ndarray, ahead: float, frame: str, locate: Locate
 ) -> np.ndarray:
     """
     Return the corners of a plan in a frame, m, (corners, 2).
@@ -66,14 +73,15 @@ def plan_points(
     :param ahead: largest distance between its end and the goal, m.
     :raises ConversionError: a plan that cannot be used.
     """
-    if not plan.poses:
+    count = len(plan.points)
+    if count > MOST_POSES:
+        raise ConversionError(f'plan: {count} poses, more than {MOST_POSES}')
+    if plan.frame not in ('', plan.header.frame_id):
+        raise ConversionError(f'plan: a pose in another frame, {plan.frame!r}')
+    if not count:
         raise ConversionError('plan: empty')
-    for pose in plan.poses:
-        if pose.header.frame_id not in ('', plan.header.frame_id):
-            raise ConversionError(f'plan: a pose in another frame, {pose.header.frame_id!r}')
     placement = placement_of('plan', plan.header, frame, locate, newest=True)
-    places = [(one.pose.position.x, one.pose.position.y) for one in plan.poses]
-    points = placement.placed(finite('plan', 'position', places))
+    points = placement.placed(finite('plan', 'position', plan.points))
     missing = float(np.hypot(*(points[-1] - goal)))
     if missing > ahead:
         raise ConversionError(f'plan: it ends {missing:.2f} m from the goal')
@@ -107,6 +115,15 @@ def progress_along(
         return 0.0
     nearest = int(distance.argmin())
     return max(float(starts[nearest] + along[nearest]), low)
+
+
+def length_of(points: np.ndarray) -> float:
+    """
+    Return how long a path is, m.
+
+    :param points: corners of the path, m, (corners, 2).
+    """
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())
 
 
 def point_at(points: np.ndarray, way: float, end: np.ndarray) -> np.ndarray:

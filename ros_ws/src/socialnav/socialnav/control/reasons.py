@@ -4,3 +4,9 @@ ARRIVED = 'goal reached'
 NO_GOAL = 'no goal_pose'
 STALLED = 'no decision any more: the clock has stopped or the decision hangs'
 UNDECIDED = 'no decision yet'
+DRIVING = 'driving'
+"""What is said of a robot that does not stand."""
+NO_PROGRESS = 'no progress'
+"""How it begins what is said of one that does not come nearer to its goal."""
+GIVEN_UP = 'it stands until there is another goal'
+"""How it ends where such a robot stands."""

@@ -15,6 +15,9 @@ from socialnav_core.simulation.kinematics.angles import rotated
 from socialnav_core.states import Agents, CrowdState, Robot
 from socialnav_msgs.msg import AgentStates
 
+LARGEST = 1e9
+"""No number of a message is larger, m or m/s: squares of such numbers are numbers too."""
+
 
 class ConversionError(ValueError):
     """A message that must not be used; the text names the input and what is wrong with it."""
@@ -54,14 +57,16 @@ def crowd_state(
     frame: str,
     time: float = 0.0,
     locate: Locate = not_asked,
+    base_frame: str = 'base_link',
 ) -> CrowdState:
     """
     Return the world as the messages tell it, in a frame, pedestrians first; batch of one.
 
     :param time: since the start of the run, s.
+    :param base_frame: frame of the robot.
     :raises ConversionError: a foreign frame, or a number that cannot be.
     """
-    position, velocity, heading = robot_arrays(odometry, frame, locate)
+    position, velocity, heading = robot_arrays(odometry, frame, locate, base_frame)
     walking = agent_arrays('pedestrians', pedestrians, frame, static=False, locate=locate)
     standing = agent_arrays('obstacles', obstacles, frame, static=True, locate=locate)
     agents = [np.concatenate(pair)[None] for pair in zip(walking, standing, strict=True)]
@@ -87,12 +92,13 @@ def crowd_state(
 
 
 def robot_arrays(
-    odometry: Odometry, frame: str, locate: Locate = not_asked
+    odometry: Odometry, frame: str, locate: Locate = not_asked, base_frame: str = 'base_link'
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """
     Return position (2,) and velocity (2,) in the world, and heading.
 
-    :param odometry: its twist is in the robot's own frame.
+    :param odometry: its twist is in the frame that its child_frame_id names.
+    :param base_frame: frame of the robot.
     :raises ConversionError: a foreign frame, or a number that cannot be, the turn rate among them.
     """
     placement = placement_of('odom', odometry.header, frame, locate)
@@ -101,7 +107,24 @@ def robot_arrays(
     position = finite('odom', 'position', [pose.position.x, pose.position.y])
     velocity = finite('odom', 'velocity', [linear.x, linear.y])
     finite('odom', 'turn rate', [odometry.twist.twist.angular.z])
-    return placement.placed(position), rotated(velocity, heading), heading
+    turned = placement.heading if twist_stands(odometry, base_frame) else heading
+    return placement.placed(position), rotated(velocity, turned), heading
+
+
+def twist_stands(odometry: Odometry, base_frame: str) -> bool:
+    """
+    Return whether the twist of odometry is in the frame of its pose, not in that of the robot.
+
+    :param base_frame: frame of the robot; odometry that names none is taken to mean it.
+    :raises ConversionError: any other frame.
+    """
+    frame = odometry.child_frame_id
+    if frame in ('', base_frame):
+        return False
+    if frame == odometry.header.frame_id:
+        return True
+    known = f'the robot is {base_frame!r} (base_frame)'
+    raise ConversionError(f'odom: the twist is in child_frame_id {frame!r}, but {known}')
 
 
 def goal_array(goal: PoseStamped, frame: str, locate: Locate = not_asked) -> np.ndarray:
@@ -160,9 +183,9 @@ def placement_of(
         raise ConversionError(text) from error
 
 
-def finite(name: str, quantity: str, numbers: list) -> np.ndarray:
+def finite(name: str, quantity: str, numbers: list | np.ndarray) -> np.ndarray:
     """
-    Return numbers as float64; raise a ConversionError where one is not finite.
+    Return numbers as float64; raise a ConversionError where one is not finite, or absurd.
 
     :param name: the input, for the error.
     :param quantity: what the numbers are, for the error.
@@ -171,4 +194,6 @@ def finite(name: str, quantity: str, numbers: list) -> np.ndarray:
     array = np.array(numbers, dtype=float)
     if not np.isfinite(array).all():
         raise ConversionError(f'{name}: {quantity} with NaN or infinity')
+    if (np.abs(array) > LARGEST).any():
+        raise ConversionError(f'{name}: {quantity} beyond {LARGEST:g}')
     return array

@@ -1,8 +1,17 @@
 """Messages from the bytes in which they came."""
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
+from nav_msgs.msg import Odometry, Path
 from rclpy.serialization import deserialize_message
+
+from socialnav.messages.paths import list_length, read_path
+from socialnav_msgs.msg import AgentStates
+
+MOST_AGENTS = 2000
+"""Agents of the longest list that is read: rclpy takes 15 ms for a thousand."""
 
 
 def message_in(kind: type, data: bytes) -> Any:
@@ -11,3 +20,17 @@ def message_in(kind: type, data: bytes) -> Any:
         return deserialize_message(data, kind)
     except RuntimeError:  # of which rclpy's RMWError is one, whose own name is private
         return None
+
+
+def agents_in(data: bytes) -> AgentStates | None:
+    """Return a list of agents; None where the bytes are none, or it is too long."""
+    length = list_length(data)
+    return None if length is None or length > MOST_AGENTS else message_in(AgentStates, data)
+
+
+READERS: dict[type, Callable[[bytes], Any]] = {
+    Odometry: partial(message_in, Odometry),
+    AgentStates: agents_in,
+    Path: read_path,
+}
+"""How messages are read that are kept as bytes until somebody wants them."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable
 import dataclasses
+import sys
 from typing import Any
 
 from rcl_interfaces.msg import (
@@ -14,6 +15,7 @@ from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValu
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
+from socialnav.parameters.addressees import unheard
 from socialnav.parameters.fields import complaint, entries, Entry, requirement, Settings
 from socialnav_core.config.mapping import number_from_text, unknown_key
 
@@ -31,11 +33,14 @@ def declare(
     """
     Declare all parameters of a node and return their values.
 
-    From then on, a change is refused unless the parameter is live and the value in its range.
+    What the command line says to other nodes alone is named in the log. From then on, a change is
+    refused unless the parameter is live and the value in its range.
 
     :param active: tells whether the node drives.
     :raises ParameterError: a value of the wrong type or outside of its range, or an unknown name.
     """
+    for line in unheard(sys.argv, node.get_fully_qualified_name()):
+        node.get_logger().warning(line)
     table = entries(kind)
     refuse_unknown(node, [entry.name for entry in table])
     values = {entry.name: declared(node, entry) for entry in table}

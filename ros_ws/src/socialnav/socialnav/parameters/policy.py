@@ -48,7 +48,7 @@ class PolicyParameters:
         0.0, 'age of obstacles at which the robot stops; 0: they do not age',
         's', (0.0, 3600.0), live='yes',
     )  # fmt: skip
-    require_obstacles: bool = parameter(False, 'stand until obstacles have come', live='yes')
+    require_obstacles: bool = parameter(True, 'stand until obstacles have come', live='yes')
     use_map: bool = parameter(
         False, 'occupied cells of the map near the robot are obstacles; stand without',
         live='inactive',
@@ -84,13 +84,28 @@ class PolicyParameters:
     goal_tolerance: float = parameter(
         0.3, 'distance to the goal at which it is reached', 'm', (0.01, 5.0), live='yes'
     )
+    progress_distance: float = parameter(
+        0.5, 'coming nearer to the goal, or along the plan, by so much is progress',
+        'm', (0.01, 10.0), live='yes',
+    )  # fmt: skip
+    progress_timeout: float = parameter(
+        10.0, 'time of driving without progress after which that is said; 0: never',
+        's', (0.0, 3600.0), live='yes',
+    )  # fmt: skip
+    progress_stop_timeout: float = parameter(
+        30.0, 'time of driving without progress after which the robot stops; 0: never',
+        's', (0.0, 3600.0), live='yes',
+    )  # fmt: skip
     max_agents: int = parameter(
         20, 'only the nearest so many agents count', '', (1, 1000), live='yes'
     )
     planning_frame: str = parameter(
         'odom', 'frame of decisions; inputs in others need tf2_ros', live='inactive'
     )
-    base_frame: str = parameter('base_link', 'frame of stamped commands', live='inactive')
+    base_frame: str = parameter(
+        'base_link', 'frame of the robot: of the twist in odom, and of stamped commands',
+        live='inactive',
+    )  # fmt: skip
     enable_stamped_cmd_vel: bool = parameter(
         False, 'TwistStamped instead of Twist; lockstep always does', live='inactive'
     )

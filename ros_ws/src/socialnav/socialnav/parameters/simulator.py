@@ -1,9 +1,11 @@
 """Every parameter of the simulator node, and what follows from them."""
 
 import dataclasses
+import math
 
 from socialnav.parameters.fields import parameter
 from socialnav_core.config import KINEMATICS
+from socialnav_core.simulation.kinematics import Limits
 
 REPEAT_PERIOD = 0.5
 """Time without an answer after which a state in lockstep is published again, s."""
@@ -28,6 +30,14 @@ class SimulatorParameters:
     cmd_vel_timeout: float = parameter(
         0.5, 'simulated time without a command after which the robot brakes',
         's', (0.05, 10.0), live='yes',
+    )  # fmt: skip
+    max_speed: float = parameter(
+        3.0, 'the base drives no faster, whatever it is commanded',
+        'm/s', (0.01, 100.0), live='yes',
+    )  # fmt: skip
+    max_turn_rate: float = parameter(
+        10.0, 'the base turns no faster, whatever it is commanded',
+        'rad/s', (0.0, 100.0), live='yes',
     )  # fmt: skip
     kinematics: str = parameter('holonomic', 'how the robot moves', choices=KINEMATICS)
     robot_visible: bool = parameter(False, 'whether pedestrians see the robot and avoid it')
@@ -54,6 +64,11 @@ class SimulatorParameters:
     map_frame: str = parameter('map', 'frame of the map; it coincides with odom_frame')
     odom_frame: str = parameter('odom', 'frame of everything else')
     base_frame: str = parameter('base_link', 'frame of the robot')
+
+    @property
+    def limits(self) -> Limits:
+        """Return what the base can do; it changes its velocity at once."""
+        return Limits(self.max_speed, math.inf, self.max_turn_rate, self.publish_period)
 
     @property
     def simulated_time(self) -> bool:

@@ -28,11 +28,11 @@ def test_without_an_input_the_robot_stands_and_says_which(policy, name):
     assert decision.reason == f'no {name}'
 
 
-def test_without_obstacles_the_robot_drives_unless_they_are_required(policy):
-    assert controller_of(policy, without=['obstacles']).decide(SECOND).reason is None
-    required = dataclasses.replace(SETTINGS, require_obstacles=True)
-    decision = controller_of(policy, required, without=['obstacles']).decide(SECOND)
-    assert decision.reason == 'no obstacles'
+def test_without_obstacles_the_robot_stands_unless_it_is_told_that_they_are_not_required(policy):
+    assert controller_of(policy, without=['obstacles']).decide(SECOND).reason == 'no obstacles'
+    settings = dataclasses.replace(SETTINGS, require_obstacles=False)
+    decision = controller_of(policy, settings, without=['obstacles']).decide(SECOND)
+    assert decision.reason is None
 
 
 @pytest.mark.parametrize('name', ['odom', 'pedestrians'])
@@ -41,6 +41,7 @@ def test_a_stale_input_gives_zero_velocity(policy, name):
     fresh = messages_of(random_state(0), 2 * SECOND)
     for other in {'odom', 'pedestrians'} - {name}:
         controller.store(other, fresh[other])
+    policy.now += 1.0
     decision = controller.decide(2 * SECOND)
     assert decision.command.tolist() == [0.0, 0.0]
     assert decision.reason == f'{name} older than 0.5 s'
@@ -63,6 +64,32 @@ def test_a_stall_is_noticed_after_a_period_and_before_the_robot_must_have_stoppe
     assert period < settings.stall_timeout < period + timeout
 
 
+def test_a_stamp_that_is_old_when_the_message_comes_is_a_matter_of_clocks(policy):
+    controller = controller_of(policy)
+    for age, text in ((2.0, 'are the clocks in step?'), (2e9, 'use_sim_time')):
+        reason = controller.decide(SECOND + int(age * 1e9)).reason
+        assert reason.startswith('odom older than 0.5 s by its stamp, though it has just come')
+        assert text in reason
+    future = controller_of(policy, stamp=10**18).decide(SECOND).reason
+    assert 'from the future' in future and 'use_sim_time' in future
+
+
+def test_a_twist_is_read_in_the_frame_that_odometry_names_or_refused(policy):
+    state = random_state(0)
+    for child, reason in (('base_link', None), ('', None), ('odom', None), ('foot', 'child')):
+        messages = messages_of(state, SECOND)
+        messages['odom'].child_frame_id = child
+        if child == 'odom':
+            velocity = messages['odom'].twist.twist.linear
+            velocity.x, velocity.y = state.robot.velocity[0].tolist()
+        controller = controller_of(policy, state=state)
+        controller.store('odom', messages['odom'])
+        decision = controller.decide(SECOND)
+        assert (decision.reason is None) == (reason is None), decision.reason
+        np.testing.assert_allclose(policy.states[-1].robot.velocity, state.robot.velocity)
+    assert "'foot'" in decision.reason and 'base_frame' in decision.reason
+
+
 def test_an_input_from_the_future_gives_zero_velocity(policy):
     assert 'future' in controller_of(policy, stamp=5 * SECOND).decide(SECOND).reason
 
@@ -74,6 +101,7 @@ def test_obstacles_do_not_age_unless_that_is_wanted(policy):
     controller.store('pedestrians', now['pedestrians'])
     assert controller.decide(9 * SECOND).reason is None
     controller.settings = dataclasses.replace(SETTINGS, obstacles_timeout=2.0)
+    policy.now += 8.0
     assert controller.decide(9 * SECOND).reason == 'obstacles older than 2 s'
 
 

@@ -4,7 +4,7 @@ import dataclasses
 import math
 
 from helpers.controllers import controller_of, give, Recorder, SECOND, SETTINGS
-from helpers.plans import plan_of
+from helpers.plans import plan_of, read
 from helpers.worlds import random_state
 import numpy as np
 import pytest
@@ -19,6 +19,7 @@ LOOP = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, -4.0)]
 def heading_points(plan, places, ahead=1.0, **options):
     """Return where a robot heads for at each place, one after the other, and the last note."""
     follower, goal = PlanFollower(), np.array(options.pop('goal', (4.0, 4.0)))
+    plan = read(plan)
     points = [
         follower.heading_point(plan, np.array(place), goal, ahead, 'odom', **options)
         for place in places
@@ -62,7 +63,7 @@ def test_a_robot_that_gets_a_plan_half_way_goes_on_from_there():
 
 def test_a_new_plan_is_followed_from_where_the_robot_is():
     follower, goal = PlanFollower(), np.array([4.0, 4.0])
-    first, second = plan_of(CORNER), plan_of([(0.0, 0.0), (0.0, 4.0), (4.0, 4.0)])
+    first, second = read(plan_of(CORNER)), read(plan_of([(0.0, 0.0), (0.0, 4.0), (4.0, 4.0)]))
     follower.heading_point(first, np.array([3.0, 0.0]), goal, 1.0, 'odom')
     point = follower.heading_point(second, np.array([0.0, 1.0]), goal, 1.0, 'odom')
     np.testing.assert_allclose(point, (0.0, 2.0))
@@ -92,7 +93,10 @@ def test_a_plan_that_cannot_be_used_is_ignored_with_a_reason(plan, reason):
 def test_a_pose_of_the_plan_in_another_frame_is_not_used():
     plan = plan_of(CORNER)
     plan.poses[1].header.frame_id = 'base_link'
-    assert 'base_link' in heading_points(plan, [(0.0, 0.0)])[1]
+    assert 'different frames' in heading_points(plan, [(0.0, 0.0)])[1]
+    for pose in plan.poses:
+        pose.header.frame_id = 'base_link'
+    assert "'base_link'" in heading_points(plan, [(0.0, 0.0)])[1]
 
 
 def test_a_plan_in_a_frame_that_is_known_is_followed_in_the_frame_of_the_robot():
@@ -109,7 +113,7 @@ def controller_on(plan, **changes):
     policy, state = Recorder(), random_state(0)
     settings = dataclasses.replace(SETTINGS, plan_lookahead_distance=1.0, **changes)
     controller = controller_of(policy, settings, state=state)
-    controller.store('plan', plan(state))
+    controller.store('plan', read(plan(state)))
     return controller, policy, state
 
 

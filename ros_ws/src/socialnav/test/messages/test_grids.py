@@ -119,7 +119,7 @@ def test_a_map_that_cannot_be_is_refused(path, value, reason):
 
 def controller_with_map(policy, state, **changes):
     """Return a controller that uses the map of a world."""
-    settings = dataclasses.replace(SETTINGS, use_map=True, **changes)
+    settings = dataclasses.replace(SETTINGS, use_map=True, require_obstacles=False, **changes)
     controller = controller_of(policy, settings, without=['obstacles'], state=state)
     controller.store('map', map_message(state, SECOND, 'odom'))
     return controller

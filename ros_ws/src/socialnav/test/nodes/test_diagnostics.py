@@ -108,4 +108,6 @@ def test_another_publisher_of_commands_is_a_warning_while_the_robot_is_driven(
     assert health.wait('inactive').message == 'inactive'
     graph.node.destroy_publisher(foreign)
     assert change_state(graph, 'activate')
-    graph.wait(lambda: health.newest().message == 'no odom', 'end of the warning')
+    graph.wait(
+        lambda: health.newest().message == 'no odom; nobody publishes /odom', 'end of the warning'
+    )

@@ -1,6 +1,7 @@
 """Laws of the simulator node, over the middleware."""
 
 from geometry_msgs.msg import PoseArray, PoseStamped, Twist, TwistStamped
+from helpers.robot import speed
 from nav_msgs.msg import OccupancyGrid, Odometry
 import numpy as np
 import pytest
@@ -270,3 +271,29 @@ def test_noise_of_sensors_does_not_change_the_world(graph):
     simulator.reset(seed=4, cases=[0])
     state = simulator.step(np.array([[1.0, 0.0]]))[0]
     np.testing.assert_allclose(place(odometry[-1]), state.robot.position[0], atol=1e-9)
+
+
+@pytest.mark.parametrize('wanted', [1e300, 7.0, -5.0])
+def test_the_base_drives_no_faster_than_it_can_and_not_at_all_where_that_is_no_speed(
+    graph, wanted
+):
+    odometry = graph.listen(Odometry, 'odom')
+    publisher = graph.node.create_publisher(Twist, 'cmd_vel', qos.COMMAND)
+    graph.start('simulator_node', max_speed=0.8)
+    graph.wait(lambda: odometry and publisher.get_subscription_count(), 'state')
+
+    def drives():
+        command = Twist()
+        command.linear.x, command.linear.y = wanted, 0.5 * wanted
+        publisher.publish(command)
+        graph.spin(0.05)
+        return speed(odometry[-1].twist.twist) > 0.1
+
+    if wanted > 1e9:
+        for _ in range(10):
+            assert not drives()
+    else:
+        graph.wait(drives, 'motion')
+        assert speed(odometry[-1].twist.twist) == pytest.approx(0.8)
+        velocity = odometry[-1].twist.twist.linear
+        assert velocity.y / velocity.x == pytest.approx(0.5)

@@ -1,0 +1,31 @@
+"""Whatever is said to a node: it lives, answers, keeps its limits, and drives on afterwards."""
+
+from helpers import stops
+from helpers.fuzzed_policy import FuzzedPolicy
+from helpers.fuzzed_simulator import FuzzedSimulator
+import numpy as np
+import pytest
+
+ROUNDS = 2
+LONG_ROUNDS = 25
+GROWTH = 30.0
+"""What the allocator may add to the memory after the first rounds, MB."""
+PROMPT = 1.0
+"""Time in which a service answers and a robot drives on, s."""
+
+
+@pytest.mark.parametrize('shooter', [FuzzedPolicy, FuzzedSimulator])
+@pytest.mark.parametrize(
+    ('seed', 'rounds'),
+    [(0, ROUNDS), pytest.param(1, LONG_ROUNDS, marks=[pytest.mark.slow])],
+)
+def test_a_node_under_fire_lives_answers_and_keeps_its_limits(graph, shooter, seed, rounds):
+    fuzzed = shooter(graph, seed)
+    for _ in range(rounds):
+        fuzzed.round()
+    figures = fuzzed.figures
+    stops.measured.append(f'{shooter.__name__}, seed {seed}\n{figures.text()}')
+    assert np.percentile(figures.answers, 90) < PROMPT, figures.text()
+    assert np.median(figures.recoveries) < PROMPT, figures.text()
+    early = figures.memory[rounds // 4]
+    assert figures.memory[-1] - early < GROWTH, figures.text()
