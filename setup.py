@@ -75,6 +75,7 @@ setup(
     package_data={
         'socialnav_core': [
             'config/recipes/*.yaml',
+            'config/recipes/grid/*.yaml',
             'config/recipes/prediction/*.yaml',
             'py.typed',
             'viewing/ros2msg.txt',

@@ -10,9 +10,11 @@ from typing import Any
 from socialnav_core import __version__
 from socialnav_core.commands import (
     benchmark,
+    bound,
     compare,
     evaluate,
     evaluate_prediction,
+    grid,
     metrics,
     models,
     render,
@@ -26,7 +28,7 @@ from socialnav_core.extras import MissingExtra
 
 COMMANDS = (
     train, evaluate, compare, render, benchmark, models, metrics, scenarios, train_prediction,
-    evaluate_prediction,
+    evaluate_prediction, bound, grid,
 )  # fmt: skip
 """Modules with `add_parser`, which names the function that runs the command."""
 OTHERS = 'socialnav.commands'

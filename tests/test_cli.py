@@ -67,7 +67,7 @@ def checkpoint(tmp_path_factory):
 
 COMMANDS = (
     'train', 'evaluate', 'compare', 'render', 'benchmark', 'models', 'scenarios', 'reproduce',
-    'train-prediction', 'evaluate-prediction',
+    'train-prediction', 'evaluate-prediction', 'bound', 'grid',
 )  # fmt: skip
 
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from socialnav_core.config.grid import grid_from, GridConfig
 from socialnav_core.config.mapping import assign, ConfigError, from_mapping, read_yaml, to_mapping
 from socialnav_core.config.prediction import PredictionConfig
 from socialnav_core.config.scenarios import resolve_scenario
@@ -11,6 +12,7 @@ from socialnav_core.config.training import Config
 
 RECIPES = Path(__file__).parent / 'recipes'
 PREDICTIONS = RECIPES / 'prediction'
+GRIDS = RECIPES / 'grid'
 SHARED = ('kinematics', 'time_step', 'goal_tolerance', 'reward')
 
 
@@ -47,6 +49,17 @@ def read_prediction_config(
     """
     values = read_values(find_config(source, PREDICTIONS), assignments or {})
     return from_mapping(PredictionConfig, values)
+
+
+def read_grid_config(source: str | Path) -> GridConfig:
+    """
+    Return a grid of worlds.
+
+    :param source: a YAML file, or the name of one that comes with the package, such as full.
+    :raises ConfigError: when the file or a setting does not exist or makes no sense.
+    """
+    path = find_config(source, GRIDS)
+    return grid_from(read_yaml(path), path.stem)
 
 
 def read_values(path: Path, assignments: Mapping[str, Any]) -> dict[str, Any]:

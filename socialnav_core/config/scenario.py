@@ -1,6 +1,7 @@
 """Settings of a world: who is in it, how people move, what a step is worth."""
 
 import dataclasses
+import math
 
 from socialnav_core.config.mapping import require, require_choice
 
@@ -11,9 +12,9 @@ CROWDS = {
 }
 """What moves the people, by the names of the files in simulation/crowds."""
 POSITIVE_SCENARIO_FIELDS = (
-    'spawn_half_width', 'circle_radius', 'minimum_travel', 'bounds', 'pedestrian_radius',
-    'pedestrian_speed', 'robot_radius', 'robot_preferred_speed', 'goal_tolerance', 'time_step',
-    'time_limit',
+    'spawn_half_width', 'circle_radius', 'minimum_travel', 'maximum_travel', 'bounds',
+    'pedestrian_radius', 'pedestrian_speed', 'robot_radius', 'robot_preferred_speed',
+    'goal_tolerance', 'time_step', 'time_limit',
 )  # fmt: skip
 
 
@@ -77,6 +78,8 @@ class Scenario:
     """Radius of the circle that is crossed in circle_crossing, m."""
     minimum_travel: float = 7.5
     """Least |goal - start| of the robot along one of the axes, m (square_crossing)."""
+    maximum_travel: float = math.inf
+    """Greatest |goal - start| of the robot along the longer axis, m (square_crossing)."""
     start_noise: float = 1.25
     """Half-width of the noise on the robot's start along each axis, m (square_crossing)."""
     bounds: float = 7.5
@@ -126,6 +129,10 @@ class Scenario:
         require_choice('crowd', self.crowd, CROWDS)
         for name in POSITIVE_SCENARIO_FIELDS:
             require(getattr(self, name) > 0, f'scenario {self.name}: {name} must be positive')
+        require(
+            self.minimum_travel < self.maximum_travel,
+            f'scenario {self.name}: minimum_travel must be less than maximum_travel',
+        )
         require(self.start_noise >= 0, 'scenario: start_noise must not be negative')
 
     @property

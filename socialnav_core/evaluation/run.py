@@ -74,9 +74,12 @@ class EvaluationResult:
         """
         Return Wilson's 95 % interval of a rate.
 
-        :param metric: name of one that is true or false in each episode.
+        :param metric: name of one that is true or false in each episode, or NaN where it does not
+            count.
         """
-        return wilson_interval(int(METRICS[metric].measure(self.records).sum()), self.episodes)
+        values = METRICS[metric].measure(self.records).astype(float)
+        counted = values[np.isfinite(values)]
+        return wilson_interval(int(counted.sum()), len(counted))
 
     def summary(self, further: Iterable[str] = ()) -> dict[str, float | None]:
         """

@@ -88,6 +88,8 @@ class EpisodeRecorder:
         return EpisodeRecords(
             **self._ends,
             straight_path=self._straight_path,
+            bound=np.full(len(steps), np.nan),
+            comfortable_bound=np.full(len(steps), np.nan),
             **{name: states[..., columns] for name, columns in STATE_COLUMNS.items()},
             **{name: states[:, 1:, columns] for name, columns in STEP_COLUMNS.items()},
         )

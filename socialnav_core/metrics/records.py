@@ -47,6 +47,10 @@ class EpisodeRecords:
     Time after each step until the robot would touch a pedestrian if all kept their velocities,
     s, (episodes, steps); inf where that never happens.
     """
+    bound: np.ndarray
+    """Time of the fastest path that is known, s, (episodes,); inf: none found, NaN: not asked."""
+    comfortable_bound: np.ndarray
+    """The same for paths that keep the comfort distance to people."""
 
     @property
     def success(self) -> np.ndarray:

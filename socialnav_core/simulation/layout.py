@@ -39,6 +39,7 @@ class LayoutSettings(NamedTuple):
     """Of the square where everybody starts, m."""
     circle_radius: float
     minimum_travel: float
+    maximum_travel: float
     start_noise: float
     hardest_obstacles: int
     """So many obstacles have the largest radius."""
@@ -73,6 +74,7 @@ def layout_settings(scenario: Scenario) -> LayoutSettings:
         half_width=scenario.spawn_half_width,
         circle_radius=scenario.circle_radius,
         minimum_travel=scenario.minimum_travel,
+        maximum_travel=scenario.maximum_travel,
         start_noise=scenario.start_noise,
         hardest_obstacles=math.ceil(scenario.hardest_obstacle_ratio * scenario.obstacles - 1e-9),
         obstacle_radius_min=scenario.obstacle_radius_min,
@@ -114,7 +116,7 @@ def sample_robot(stream, settings, robot):  # type: ignore[no-untyped-def]
         robot[2] = half_width * math.cos(goal_angle)
         robot[3] = half_width * math.sin(goal_angle)
         travel = max(abs(robot[2] - robot[0]), abs(robot[3] - robot[1]))
-        if travel > settings.minimum_travel:
+        if settings.minimum_travel < travel <= settings.maximum_travel:
             return True
     return False
 

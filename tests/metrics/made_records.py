@@ -37,4 +37,6 @@ def make_records(outcomes, intrusions=None, **columns):
         clearance=gap,
         pedestrian_clearance=gap,
         time_to_collision=gap,
+        bound=np.full(count, np.nan),
+        comfortable_bound=np.full(count, np.nan),
     )
