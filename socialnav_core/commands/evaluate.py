@@ -26,6 +26,9 @@ if TYPE_CHECKING:  # torch takes a second, which --help need not
     from socialnav_core.policies import Policy, PolicyDescription
     from socialnav_core.policies.value.checkpoint import Checkpoint
 
+FORESEEN = 'foreseen_intrusion_rate'
+"""A metric that is measured only where it is asked for: it looks ahead in every step."""
+
 EXAMPLES = """orca --scenario hard --safety-space 0.15
 sarl --scenario crowd20 --episodes 5000 --json out/crowd20.json
 models/sarl --scenario hard --metrics spl mean_jerk
@@ -108,10 +111,12 @@ def run(given: argparse.Namespace) -> None:
 def measure(model: str, policy: 'Policy', scenario: Scenario, given: argparse.Namespace) -> Any:
     """Return the result of a policy."""
     from socialnav_core.evaluation import evaluate, with_bounds
+    from socialnav_core.metrics import EVERY
 
     result = evaluate(
-        policy, scenario, given.episodes, given.seed, given.split, name=model, progress=True
-    )
+        policy, scenario, given.episodes, given.seed, given.split, name=model, progress=True,
+        foresight=bool({FORESEEN, EVERY} & set(given.further)),
+    )  # fmt: skip
     return with_bounds(result, scenario, progress=True) if given.bound else result
 
 

@@ -9,8 +9,12 @@ KINEMATICS = ('holonomic', 'differential')
 CROWDS = {
     'orca': 'people avoid each other and obstacles, each doing its share',
     'non_reactive': 'people walk straight to their goals and react to nobody',
+    'changing': 'as orca, but people change their goals, and new ones come for those who arrive',
 }
 """What moves the people, by the names of the files in simulation/crowds."""
+ROBOT_MATTERS = ('changing',)
+"""Crowds in which nobody appears where the robot is."""
+LAYOUTS = ('square_crossing', 'circle_crossing', 'open_square')
 POSITIVE_SCENARIO_FIELDS = (
     'spawn_half_width', 'circle_radius', 'minimum_travel', 'maximum_travel', 'bounds',
     'pedestrian_radius', 'pedestrian_speed', 'robot_radius', 'robot_preferred_speed',
@@ -71,15 +75,18 @@ class Scenario:
     hardest_obstacle_ratio: float = 0.0
     """Share of the obstacles, rounded up, that have the largest radius."""
     layout: str = 'square_crossing'
-    """square_crossing: sides are swapped; circle_crossing: everybody crosses a circle."""
+    """
+    square_crossing: sides are swapped; circle_crossing: everybody crosses a circle; open_square:
+    the robot crosses a square without walls, people come from all around it.
+    """
     spawn_half_width: float = 5.0
     """Half the side of the spawn square and radius of the circle of goals, m."""
     circle_radius: float = 4.0
-    """Radius of the circle that is crossed in circle_crossing, m."""
+    """Radius of the circle that is crossed, or that people come from in open_square, m."""
     minimum_travel: float = 7.5
-    """Least |goal - start| of the robot along one of the axes, m (square_crossing)."""
+    """Least |goal - start| of the robot along one of the axes (open_square: itself), m."""
     maximum_travel: float = math.inf
-    """Greatest |goal - start| of the robot along the longer axis, m (square_crossing)."""
+    """Greatest |goal - start| of the robot along the longer axis (open_square: itself), m."""
     start_noise: float = 1.25
     """Half-width of the noise on the robot's start along each axis, m (square_crossing)."""
     bounds: float = 7.5
@@ -101,7 +108,7 @@ class Scenario:
     kinematics: str = 'holonomic'
     """Motion of the robot: holonomic or differential."""
     crowd: str = 'orca'
-    """What moves the pedestrians: orca or non_reactive."""
+    """What moves the pedestrians: a name in CROWDS."""
     goal_tolerance: float = 0.3
     """The goal is reached when the robot's centre is nearer than this, m."""
     time_step: float = 0.25
@@ -124,7 +131,7 @@ class Scenario:
             f'({self.obstacle_radius_min}) <= obstacle_radius_max ({self.obstacle_radius_max})',
         )
         require(0 <= self.hardest_obstacle_ratio <= 1, 'hardest_obstacle_ratio must lie in [0, 1]')
-        require_choice('layout', self.layout, ('square_crossing', 'circle_crossing'))
+        require_choice('layout', self.layout, LAYOUTS)
         require_choice('kinematics', self.kinematics, KINEMATICS)
         require_choice('crowd', self.crowd, CROWDS)
         for name in POSITIVE_SCENARIO_FIELDS:
@@ -139,6 +146,11 @@ class Scenario:
     def agents(self) -> int:
         """Return the number of agents: pedestrians first, then obstacles."""
         return self.pedestrians + self.obstacles
+
+    @property
+    def robot_matters(self) -> bool:
+        """Return whether what pedestrians do can depend on where the robot is."""
+        return self.robot_visible or self.crowd in ROBOT_MATTERS
 
     @property
     def discount(self) -> float:

@@ -43,9 +43,9 @@ def record_futures(scenario: Scenario, cases: np.ndarray, seed: int, split: str)
     :raises PackingError: when a layout does not fit.
     """
     require(
-        not scenario.robot_visible,
+        not scenario.robot_matters,
         f'scenario {scenario.name}: what people will do depends on the robot, so that there is no '
-        'bound; set scenario.robot_visible=false',
+        'bound; set scenario.robot_visible=false and scenario.crowd=orca',
     )
     worlds, steps = np.arange(len(cases)), steps_until_limit(scenario)
     episodes, crowd = Episodes(scenario, len(cases)), make_crowd(scenario, len(cases))
