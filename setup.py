@@ -77,6 +77,7 @@ setup(
     package_data={
         'socialnav_core': [
             'config/recipes/*.yaml',
+            'config/recipes/grid/*.yaml',
             'config/recipes/prediction/*.yaml',
             'config/recipes/planner/*.yaml',
             'py.typed',

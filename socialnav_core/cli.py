@@ -14,10 +14,12 @@ from typing import Any
 from socialnav_core import __version__
 from socialnav_core.commands import (
     benchmark,
+    bound,
     compare,
     evaluate,
     evaluate_prediction,
     export,
+    grid,
     metrics,
     models,
     render,
@@ -34,7 +36,7 @@ from socialnav_core.storage import named_errors
 
 COMMANDS = (
     train, evaluate, compare, render, benchmark, models, metrics, scenarios, settings,
-    train_planner, train_prediction, evaluate_prediction, export,
+    train_planner, train_prediction, evaluate_prediction, bound, grid, export,
 )  # fmt: skip
 """Modules with `add_parser`, which names the function that runs the command."""
 OTHERS = 'socialnav.commands'

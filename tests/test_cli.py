@@ -72,7 +72,8 @@ def checkpoint(tmp_path_factory):
 
 COMMANDS = (
     'train', 'evaluate', 'compare', 'render', 'benchmark', 'models', 'scenarios', 'reproduce',
-    'train-prediction', 'evaluate-prediction', 'settings',
+    'train-prediction', 'evaluate-prediction', 'settings', 'bound', 'grid', 'export',
+    'train-planner',
 )  # fmt: skip
 
 

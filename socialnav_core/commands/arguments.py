@@ -70,8 +70,8 @@ def add_command(
     return parser
 
 
-def add_world_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options that say which cases are run, and how."""
+def add_cases_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options that say which cases are meant."""
     parser.add_argument(
         '--scenario',
         required=True,
@@ -85,6 +85,13 @@ def add_world_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '--split', choices=SPLITS, default='test', help='split of the cases (test)'
     )
+    add_set_option(parser, 'scenario.time_limit=35')
+    add_threads_option(parser)
+
+
+def add_world_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options that say which cases are run, and how."""
+    add_cases_options(parser)
     parser.add_argument(
         '--lookahead',
         metavar='NAME',
@@ -100,8 +107,6 @@ def add_world_options(parser: argparse.ArgumentParser) -> None:
         '--safety-space', type=distance, metavar='M',
         help='added to every radius by orca, m (0.15)',
     )  # fmt: skip
-    add_set_option(parser, 'scenario.time_limit=35')
-    add_threads_option(parser)
 
 
 def add_set_option(parser: argparse.ArgumentParser, example: str) -> None:

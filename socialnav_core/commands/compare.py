@@ -12,10 +12,12 @@ from socialnav_core.commands.arguments import (
 )
 from socialnav_core.commands.choices import chosen_scenario, open_policies
 from socialnav_core.commands.evaluate import (
+    add_bound_option,
     add_episodes_option,
     add_metrics_option,
     described,
     measure,
+    require_metrics,
 )
 from socialnav_core.commands.files import require_new, write_json
 from socialnav_core.config import ConfigError
@@ -34,6 +36,7 @@ def add_parser(commands: Any) -> None:
     add_world_options(parser)
     add_episodes_option(parser)
     add_metrics_option(parser)
+    add_bound_option(parser)
     parser.add_argument('--json', type=Path, metavar='FILE', help='write all figures and cases')
     add_overwrite_option(parser)
 
@@ -42,11 +45,10 @@ def run(given: argparse.Namespace) -> None:
     """Run the command."""
     from socialnav_core.evaluation import compare
     from socialnav_core.evaluation.report import comparison_text
-    from socialnav_core.metrics import chosen
 
     if len(given.models) < 2 or len(set(given.models)) < len(given.models):
         raise ConfigError('name two or more different models')
-    chosen(given.further)
+    require_metrics(given)
     require_new(given.json, given)
     scenario = chosen_scenario(given)
     policies = open_policies(given.models, given)

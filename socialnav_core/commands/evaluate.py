@@ -28,9 +28,13 @@ if TYPE_CHECKING:  # torch takes a second, which --help need not
     from socialnav_core.policies.search.checkpoint import Planner
     from socialnav_core.policies.value.checkpoint import Checkpoint
 
+FORESEEN = 'foreseen_intrusion_rate'
+"""A metric that is measured only where it is asked for: it looks ahead in every step."""
+
 EXAMPLES = """orca --scenario hard --safety-space 0.15
 sarl --scenario crowd20 --episodes 5000 --json out/crowd20.json
 models/sarl --scenario hard --metrics spl mean_jerk
+search --scenario hard --bound
 models/sarl --scenario hard --set scenario.time_limit=35 policy.headings=16
 out/sarl --scenario simple --lookahead oracle --no-screening --card"""
 
@@ -43,6 +47,7 @@ def add_parser(commands: Any) -> None:
     add_world_options(parser)
     add_episodes_option(parser)
     add_metrics_option(parser)
+    add_bound_option(parser)
     parser.add_argument('--json', type=Path, metavar='FILE', help='write all figures and cases')
     parser.add_argument(
         '--card', action='store_true', help="add the result to the model's metrics and card"
@@ -65,12 +70,32 @@ def add_metrics_option(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
 
 
+def add_bound_option(parser: argparse.ArgumentParser) -> None:
+    """Add `--bound`."""
+    parser.add_argument(
+        '--bound', action='store_true',
+        help='measure against the fastest path of a robot that knows the future (docs/bound.md)',
+    )  # fmt: skip
+
+
+def require_metrics(given: argparse.Namespace) -> None:
+    """
+    Note which metrics are wanted besides those that are always shown.
+
+    :raises ConfigError: for a name that no metric has.
+    """
+    from socialnav_core.metrics import BOUND_METRICS, chosen
+
+    chosen(given.further)
+    if given.bound:
+        given.further = [*given.further, *BOUND_METRICS]
+
+
 def run(given: argparse.Namespace) -> None:
     """Run the command."""
     from socialnav_core.evaluation.report import evaluation_text
-    from socialnav_core.metrics import chosen
 
-    chosen(given.further)
+    require_metrics(given)
     require_new(given.json, given)
     scenario = chosen_scenario(given)
     card = open_card(given) if given.card else None
@@ -87,11 +112,14 @@ def run(given: argparse.Namespace) -> None:
 
 def measure(model: str, policy: 'Policy', scenario: Scenario, given: argparse.Namespace) -> Any:
     """Return the result of a policy."""
-    from socialnav_core.evaluation import evaluate
+    from socialnav_core.evaluation import evaluate, with_bounds
+    from socialnav_core.metrics import EVERY
 
-    return evaluate(
-        policy, scenario, given.episodes, given.seed, given.split, name=model, progress=True
-    )
+    result = evaluate(
+        policy, scenario, given.episodes, given.seed, given.split, name=model, progress=True,
+        foresight=bool({FORESEEN, EVERY} & set(given.further)),
+    )  # fmt: skip
+    return with_bounds(result, scenario, progress=True) if given.bound else result
 
 
 def described(result: Any, given: argparse.Namespace) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 """Every setting, as frozen dataclasses, and the YAML files and names that they come from."""
 
+from socialnav_core.config.bound import BoundConfig
 from socialnav_core.config.documents import read_yaml
 from socialnav_core.config.mapping import ConfigError, require, require_choice
 from socialnav_core.config.policy import PolicyConfig, ScreeningConfig
@@ -20,6 +21,7 @@ from socialnav_core.config.training import (
 )
 
 __all__ = [
+    'BoundConfig',
     'CROWDS',
     'Config',
     'ConfigError',

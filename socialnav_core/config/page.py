@@ -8,6 +8,7 @@ import math
 from typing import Any
 
 from socialnav_core.config.mapping import join
+from socialnav_core.config.planner import PlannerConfig
 from socialnav_core.config.prediction import PredictionConfig
 from socialnav_core.config.ranges import rules_of
 from socialnav_core.config.scenario import Scenario
@@ -28,6 +29,7 @@ SECTIONS = {
     'Scenario': ('A world: `scenario` in a config, files of scenarios.', 'scenario', Scenario),
     'Training': ('What `socialnav train` reads: the scenario, and', '', Config),
     'Prediction': ('What `socialnav train-prediction` reads.', '', PredictionConfig),
+    'Planner': ('What `socialnav train-planner` reads: the search, as below, and', '', PlannerConfig),
     'Search': ('The policy `search`.', 'policy', SearchConfig),
 }
 """Title, what is below it, dotted path and dataclass of each table."""

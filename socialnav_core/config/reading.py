@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from socialnav_core.config.documents import read_yaml, told_with_place
+from socialnav_core.config.grid import grid_from, GridConfig
 from socialnav_core.config.mapping import assign, ConfigError, from_mapping, to_mapping
 from socialnav_core.config.planner import PlannerConfig
 from socialnav_core.config.prediction import PredictionConfig
@@ -15,6 +16,7 @@ from socialnav_core.config.training import Config
 RECIPES = Path(__file__).parent / 'recipes'
 PREDICTIONS = RECIPES / 'prediction'
 PLANNERS = RECIPES / 'planner'
+GRIDS = RECIPES / 'grid'
 SHARED = ('kinematics', 'time_step', 'goal_tolerance', 'reward')
 
 
@@ -70,6 +72,17 @@ def read_planner_config(
     values = read_values(path, assignments or {})
     with told_with_place(path, assignments or {}):
         return from_mapping(PlannerConfig, values)
+
+
+def read_grid_config(source: str | Path) -> GridConfig:
+    """
+    Return a grid of worlds.
+
+    :param source: a YAML file, or the name of one that comes with the package, such as full.
+    :raises ConfigError: when the file or a setting does not exist or makes no sense.
+    """
+    path = find_config(source, GRIDS)
+    return grid_from(read_yaml(path), path.stem)
 
 
 def read_values(path: Path, assignments: Mapping[str, Any]) -> dict[str, Any]:

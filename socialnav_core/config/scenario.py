@@ -11,9 +11,12 @@ KINEMATICS = ('holonomic', 'differential')
 CROWDS = {
     'orca': 'people avoid each other and obstacles, each doing its share',
     'non_reactive': 'people walk straight to their goals and react to nobody',
+    'changing': 'as orca, but people change their goals, and new ones come for those who arrive',
 }
 """What moves the people, by the names of the files in simulation/crowds."""
-LAYOUTS = ('square_crossing', 'circle_crossing')
+ROBOT_MATTERS = ('changing',)
+"""Crowds in which nobody appears where the robot is."""
+LAYOUTS = ('square_crossing', 'circle_crossing', 'open_square')
 FARTHEST = 1000.0
 """Largest coordinate of a start or goal that is chosen, m."""
 
@@ -79,13 +82,18 @@ class Scenario:
     hardest_obstacle_ratio: Annotated[float, Range(0, 1)] = 0.0
     """Share of the obstacles, rounded up, that have the largest radius."""
     layout: Annotated[str, OneOf(LAYOUTS)] = 'square_crossing'
-    """square_crossing: sides are swapped; circle_crossing: everybody crosses a circle."""
+    """
+    square_crossing: sides are swapped; circle_crossing: everybody crosses a circle; open_square:
+    the robot crosses a square without walls, people come from all around it.
+    """
     spawn_half_width: Annotated[float, Range(0.1, 1000)] = 5.0
     """Half the side of the spawn square and radius of the circle of goals, m."""
     circle_radius: Annotated[float, Range(0.1, 1000)] = 4.0
-    """Radius of the circle that is crossed in circle_crossing, m."""
+    """Radius of the circle that is crossed, or that people come from in open_square, m."""
     minimum_travel: Annotated[float, Range(0.01, 2000)] = 7.5
-    """Least |goal - start| of the robot along one of the axes, m (square_crossing)."""
+    """Least |goal - start| of the robot along one of the axes (open_square: itself), m."""
+    maximum_travel: Annotated[float, Range(0.01, 2000, or_infinite=True)] = math.inf
+    """Greatest |goal - start| of the robot along the longer axis (open_square: itself), m."""
     start_noise: Annotated[float, Range(0, 1000)] = 1.25
     """Half-width of the noise on the robot's start along each axis, m (square_crossing)."""
     bounds: Annotated[float, Range(0.1, 10_000, or_infinite=True)] = 7.5
@@ -111,7 +119,7 @@ class Scenario:
     kinematics: Annotated[str, OneOf(KINEMATICS)] = 'holonomic'
     """Motion of the robot: holonomic or differential."""
     crowd: Annotated[str, OneOf(CROWDS)] = 'orca'
-    """What moves the pedestrians: orca or non_reactive."""
+    """What moves the pedestrians: a name in CROWDS."""
     goal_tolerance: Annotated[float, Range(0.001, 5)] = 0.3
     """The goal is reached when the robot's centre is nearer than this, m."""
     time_step: Annotated[float, Range(0.01, 2)] = 0.25
@@ -130,6 +138,10 @@ class Scenario:
             self.obstacle_radius_min <= self.obstacle_radius_max,
             f'scenario {self.name}: obstacle_radius_min ({self.obstacle_radius_min}) must not be '
             f'above obstacle_radius_max ({self.obstacle_radius_max})',
+        )
+        require(
+            self.minimum_travel < self.maximum_travel,
+            f'scenario {self.name}: minimum_travel must be less than maximum_travel',
         )
         self._require_places()
 
@@ -152,6 +164,11 @@ class Scenario:
     def agents(self) -> int:
         """Return the number of agents: pedestrians first, then obstacles."""
         return self.pedestrians + self.obstacles
+
+    @property
+    def robot_matters(self) -> bool:
+        """Return whether what pedestrians do can depend on where the robot is."""
+        return self.robot_visible or self.crowd in ROBOT_MATTERS
 
     @property
     def discount(self) -> float:

@@ -9,8 +9,10 @@ from socialnav_core.evaluation.statistics import Estimate
 from socialnav_core.metrics import Metric, Place, shown_in
 from socialnav_core.tables import NOTHING, number, text_table
 
-WITH_INTERVAL = ('success_rate', 'collision_rate', 'timeout_rate')
+WITH_INTERVAL = ('success_rate', 'collision_rate', 'timeout_rate', 'solvable_success_rate')
 """Rates that are printed with their intervals where there is a line for each figure."""
+IN_COLUMNS = ('success_rate', 'solvable_success_rate')
+"""Rates that are printed with their intervals where there is a column for each figure."""
 COMPARISON_COLUMNS = (
     'first', 'second', 'success', 'only one solved', 'p (Holm)', 'time, both solved',
 )  # fmt: skip
@@ -68,10 +70,7 @@ def overview(results: Sequence[EvaluationResult], further: Iterable[str]) -> lis
         (
             result.model,
             result.policy.look_ahead or NOTHING,
-            *(
-                figure_text(result, metric, summary[metric.name], ('success_rate',))
-                for metric in metrics
-            ),
+            *(figure_text(result, metric, summary[metric.name], IN_COLUMNS) for metric in metrics),
         )
         for result, summary in zip(results, summaries, strict=True)
     ]

@@ -16,6 +16,8 @@ from socialnav_core.metrics import (
     case_mappings,
     EpisodeRecorder,
     EpisodeRecords,
+    FORESEEN_RANGE,
+    FORESEEN_STEPS,
     METRICS,
     summarise,
 )
@@ -78,9 +80,12 @@ class EvaluationResult:
         """
         Return Wilson's 95 % interval of a rate.
 
-        :param metric: name of one that is true or false in each episode.
+        :param metric: name of one that is true or false in each episode, or NaN where it does not
+            count.
         """
-        return wilson_interval(int(METRICS[metric].measure(self.records).sum()), self.episodes)
+        values = METRICS[metric].measure(self.records).astype(float)
+        counted = values[np.isfinite(values)]
+        return wilson_interval(int(counted.sum()), len(counted))
 
     def summary(self, further: Iterable[str] = ()) -> dict[str, float | None]:
         """
@@ -119,6 +124,7 @@ def evaluate(
     batch_size: int = BATCH_SIZE,
     name: str = '',
     progress: Callable[[int], None] | bool = False,
+    foresight: bool = False,
 ) -> EvaluationResult:
     """
     Run the cases 0 to episodes - 1, each exactly once.
@@ -129,12 +135,15 @@ def evaluate(
     :param name: name of the policy in the result.
     :param progress: whether to say on stderr how it goes; or what to call instead, with the number
         of episodes that have just ended.
+    :param foresight: whether to note where people would be some steps later, which takes time.
     :raises ConfigError: when the policy drives another kind of robot, or for no episodes.
     """
     if progress is True:
         with progress_bar(episodes, name or 'evaluation') as bar:
             report = bar.update
-            return evaluate(policy, scenario, episodes, seed, split, batch_size, name, report)
+            return evaluate(
+                policy, scenario, episodes, seed, split, batch_size, name, report, foresight
+            )
     keep_freed_memory()
     require(episodes >= 1, f'the number of episodes must be at least 1, not {episodes}')
     require_same_kinematics(policy, scenario)
@@ -155,9 +164,10 @@ def evaluate(
         command = commands_where_active(policy, state, active)
         seconds += time.perf_counter() - started
         before = state
+        foreseen = foreseen_distance(before, simulator) if foresight else None
         state, _, terminated, truncated, info = simulator.step(command)
         ended = np.flatnonzero(terminated | truncated)
-        recorder.add(before, command, info, ended)
+        recorder.add(before, command, info, ended, foreseen)
         if len(ended):
             policy.reset(ended)
             if callable(progress):
@@ -172,6 +182,17 @@ def evaluate(
         decision_seconds=seconds,
         changes=changes_of(scenario),
     )
+
+
+def foreseen_distance(state: CrowdState, simulator: Simulator) -> np.ndarray:
+    """Return the least distance to where visible people would be in some steps, m, (batch,)."""
+    robot, agents = state.robot, state.agents
+    offset = agents.position - robot.position[:, None]
+    gap = np.hypot(offset[..., 0], offset[..., 1]) - agents.radius - robot.radius[:, None]
+    seen = agents.valid & ~agents.static & (gap <= FORESEEN_RANGE)
+    later = simulator.foresee(FORESEEN_STEPS) - robot.position[:, None, None]
+    distance = np.where(seen[:, None], np.hypot(later[..., 0], later[..., 1]), np.inf)
+    return distance.min(axis=(1, 2), initial=np.inf)
 
 
 def asked_worlds(policy: Policy, active: np.ndarray) -> np.ndarray:

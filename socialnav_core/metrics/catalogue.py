@@ -4,15 +4,18 @@ from collections.abc import Iterable
 
 from socialnav_core.config import ConfigError
 from socialnav_core.config.mapping import hint
-from socialnav_core.metrics import efficiency, outcomes, people, smoothness
+from socialnav_core.metrics import bound, efficiency, outcomes, people, smoothness
 from socialnav_core.metrics.table import Metric, Place
 
 METRICS: dict[str, Metric] = {
     metric.name: metric
-    for entries in (outcomes, efficiency, people, smoothness)
+    for entries in (outcomes, efficiency, people, smoothness, bound)
     for metric in entries.METRICS
 }
 """All metrics by name, in the order in which they are shown."""
+
+BOUND_METRICS = tuple(metric.name for metric in bound.METRICS)
+"""Names of those that need the bound of each case."""
 
 EVERY = 'all'
 """Stands for the names of all metrics."""

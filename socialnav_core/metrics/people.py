@@ -11,6 +11,11 @@ from socialnav_core.metrics.table import Average, Metric, Place
 
 INTRUSION_DISTANCE = 0.2
 """Gap to a pedestrian below which a step counts as an intrusion, m."""
+FORESEEN_DISTANCE = 0.6
+"""Distance of centres to a future person below which CrowdNav++ speaks of an intrusion, m."""
+FORESEEN_STEPS = 5
+FORESEEN_RANGE = 5.0
+"""Gap beyond which people are not visible there, m."""
 SPACES = {'intimate': 0.45, 'personal': 1.2, 'social': 3.6}
 """Outer limits of the spaces around a person, m."""
 
@@ -28,6 +33,13 @@ def steps_outside(limit: float) -> Callable[[EpisodeRecords], np.ndarray]:
 def _steps_outside(limit: float, records: EpisodeRecords) -> np.ndarray:
     """Return the number of steps with at least a gap, m, to every pedestrian, (episodes,)."""
     return (records.pedestrian_clearance >= limit).sum(axis=1)  # NaN behind the end: False
+
+
+def foreseen_intrusions(records: EpisodeRecords) -> np.ndarray:
+    """Return the share of steps in which a person will soon be near, NaN: not asked."""
+    distance = records.foreseen_distance
+    share = (distance < FORESEEN_DISTANCE).sum(axis=1) / (records.steps + 1)
+    return np.where(np.isnan(distance[:, 0]), np.nan, share)
 
 
 def least(values: np.ndarray) -> np.ndarray:
@@ -67,6 +79,16 @@ METRICS = (
             formula=f'share of steps with a gap of at least {limit:g} m to every pedestrian',
         )
         for space, limit in SPACES.items()
+    ),
+    Metric(
+        name='foreseen_intrusion_rate', label='steps near where people will be',
+        heading='foreseen intrusion', measure=foreseen_intrusions, average=Average.EPISODES,
+        source='Liu et al. 2023, Intention Aware Robot Crowd Navigation with Attention-Based '
+        'Interaction Graph (intrusion ratio)',
+        formula=f'share of the steps, the end counted as one, in which the centre of the robot is '
+        f'within {FORESEEN_DISTANCE:g} m of where the centre of a person within '
+        f'{FORESEEN_RANGE:g} m would be after 1 to {FORESEEN_STEPS} steps, if nobody changed '
+        'their mind',
     ),
     Metric(
         name='minimum_time_to_collision', label='least time to collision, mean',

@@ -20,8 +20,9 @@ AT_THE_END = {
 STATE_COLUMNS: dict[str, Any] = {'moment': 0, 'position': slice(1, 3), 'velocity': slice(3, 5)}
 STEP_COLUMNS: dict[str, Any] = {
     'command': slice(5, 7), 'clearance': 7, 'pedestrian_clearance': 8, 'time_to_collision': 9,
+    'foreseen_distance': 10,
 }  # fmt: skip
-WIDTH = 10
+WIDTH = 11
 """Numbers kept of a state and the step that led to it, side by side in one line of the cache."""
 
 
@@ -59,7 +60,12 @@ class EpisodeRecorder:
         self._trace = np.empty((episodes, ROOM, WIDTH))  # memory counts when it is written
 
     def add(
-        self, before: CrowdState, command: np.ndarray, info: dict[str, Any], ended: np.ndarray
+        self,
+        before: CrowdState,
+        command: np.ndarray,
+        info: dict[str, Any],
+        ended: np.ndarray,
+        foreseen: np.ndarray | None = None,
     ) -> None:
         """
         Take in a step of all worlds.
@@ -68,12 +74,14 @@ class EpisodeRecorder:
         :param command: what it chose, (batch, 2).
         :param info: of Simulator.step.
         :param ended: indices of the worlds whose episodes the step ended.
+        :param foreseen: least distance to where people would be, m, (batch,); None: not asked.
         """
         self._make_room(int(info['steps'].max()) + 1)
+        foreseen = np.full(len(command), np.nan) if foreseen is None else foreseen
         _write_step(
             self._trace, self._straight_path, self._goal_tolerance, info['active'],
             info['case_index'], info['steps'], bodies(before), bodies(info['final_state']),
-            command, info['clearance'], info['pedestrian_clearance'],
+            command, info['clearance'], info['pedestrian_clearance'], foreseen,
         )  # fmt: skip
         if len(ended):
             cases = info['case_index'][ended]
@@ -88,6 +96,8 @@ class EpisodeRecorder:
         return EpisodeRecords(
             **self._ends,
             straight_path=self._straight_path,
+            bound=np.full(len(steps), np.nan),
+            comfortable_bound=np.full(len(steps), np.nan),
             **{name: states[..., columns] for name, columns in STATE_COLUMNS.items()},
             **{name: states[:, 1:, columns] for name, columns in STEP_COLUMNS.items()},
         )
@@ -113,7 +123,7 @@ def bodies(state: CrowdState) -> Bodies:
 @compiled
 def _write_step(  # type: ignore[no-untyped-def]
     trace, straight_path, goal_tolerance, active, cases, steps, before, after, command,
-    clearance, pedestrian_clearance,
+    clearance, pedestrian_clearance, foreseen,
 ):  # fmt: skip
     """Write a step of the active worlds into their cases' rows, (episodes, states, WIDTH)."""
     for world in range(len(active)):
@@ -129,7 +139,7 @@ def _write_step(  # type: ignore[no-untyped-def]
         _write_state(row, after, world)
         row[5], row[6] = command[world, 0], command[world, 1]
         row[7], row[8] = clearance[world], pedestrian_clearance[world]
-        row[9] = time_to_collision(after, world)
+        row[9], row[10] = time_to_collision(after, world), foreseen[world]
 
 
 @compiled

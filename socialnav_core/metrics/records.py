@@ -47,6 +47,15 @@ class EpisodeRecords:
     Time after each step until the robot would touch a pedestrian if all kept their velocities,
     s, (episodes, steps); inf where that never happens.
     """
+    foreseen_distance: np.ndarray
+    """
+    Least distance of centres between the robot before each step and where visible people would be
+    after one to FORESEEN_STEPS steps, m, (episodes, steps); inf without any, NaN: not asked.
+    """
+    bound: np.ndarray
+    """Time of the fastest path that is known, s, (episodes,); inf: none found, NaN: not asked."""
+    comfortable_bound: np.ndarray
+    """The same for paths that keep the comfort distance to people."""
 
     @property
     def success(self) -> np.ndarray:

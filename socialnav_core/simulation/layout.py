@@ -7,6 +7,7 @@ import numpy as np
 
 from socialnav_core.compilation import compiled
 from socialnav_core.config import ConfigError, Scenario
+from socialnav_core.simulation.births import draw_person, draw_place
 from socialnav_core.simulation.random_streams import uniform
 
 ATTEMPTS = 200
@@ -36,10 +37,12 @@ class LayoutSettings(NamedTuple):
 
     pedestrians: int
     circle_crossing: bool
+    open_square: bool
     half_width: float
     """Of the square where everybody starts, m."""
     circle_radius: float
     minimum_travel: float
+    maximum_travel: float
     start_noise: float
     hardest_obstacles: int
     """So many obstacles have the largest radius."""
@@ -75,9 +78,11 @@ def layout_settings(scenario: Scenario) -> LayoutSettings:
     return LayoutSettings(
         pedestrians=scenario.pedestrians,
         circle_crossing=scenario.layout == 'circle_crossing',
+        open_square=scenario.layout == 'open_square',
         half_width=scenario.spawn_half_width,
         circle_radius=scenario.circle_radius,
         minimum_travel=scenario.minimum_travel,
+        maximum_travel=scenario.maximum_travel,
         start_noise=scenario.start_noise,
         hardest_obstacles=math.ceil(scenario.hardest_obstacle_ratio * scenario.obstacles - 1e-9),
         obstacle_radius_min=scenario.obstacle_radius_min,
@@ -99,7 +104,10 @@ def sample_layout(stream, settings, layout):  # type: ignore[no-untyped-def]
             continue
         if not sample_obstacles(stream, settings, layout):
             continue
-        if sample_pedestrians(stream, settings, layout):
+        if settings.open_square:
+            if sample_newcomers(stream, settings, layout):
+                return True
+        elif sample_pedestrians(stream, settings, layout):
             return True
     return False
 
@@ -114,6 +122,8 @@ def sample_robot(stream, settings, robot):  # type: ignore[no-untyped-def]
         place_robot(settings, robot)
         return True
     half_width, noise = settings.half_width, settings.start_noise
+    if settings.open_square:
+        return sample_anywhere(stream, settings, robot)
     for _ in range(ATTEMPTS):  # about every third draw is accepted
         goal_angle = uniform(stream, 0.0, 2.0 * math.pi)
         start_angle = uniform(stream, 0.0, 2.0 * math.pi)
@@ -124,7 +134,7 @@ def sample_robot(stream, settings, robot):  # type: ignore[no-untyped-def]
         if place_robot(settings, robot):
             return True
         travel = max(abs(robot[2] - robot[0]), abs(robot[3] - robot[1]))
-        if travel > settings.minimum_travel:
+        if settings.minimum_travel < travel <= settings.maximum_travel:
             return True
     return False
 
@@ -139,6 +149,35 @@ def place_robot(settings, robot):  # type: ignore[no-untyped-def]
     if has_goal:
         robot[2], robot[3] = goal
     return has_start and has_goal
+
+
+@compiled
+def sample_anywhere(stream, settings, robot):  # type: ignore[no-untyped-def]
+    """Draw the robot's start and goal in the square; return whether they are far apart."""
+    for _ in range(ATTEMPTS):
+        for k in range(4):
+            robot[k] = uniform(stream, -settings.half_width, settings.half_width)
+        if place_robot(settings, robot):
+            return True
+        travel = math.sqrt((robot[2] - robot[0]) ** 2 + (robot[3] - robot[1]) ** 2)
+        if settings.minimum_travel <= travel <= settings.maximum_travel:
+            return True
+    return False
+
+
+@compiled
+def sample_newcomers(stream, settings, layout):  # type: ignore[no-untyped-def]
+    """Draw pedestrians around the square; return whether all of them found a place."""
+    for i in range(settings.pedestrians):
+        layout.radius[i], layout.speed[i] = settings.pedestrian_radius, settings.pedestrian_speed
+        if settings.randomize_attributes:
+            draw_person(stream, layout.speed, layout.radius, i)
+        if not draw_place(
+            stream, settings.circle_radius, layout.robot, settings.robot_radius, layout.position,
+            layout.goal, layout.radius, i, i, layout.radius[i],
+        ):  # fmt: skip
+            return False
+    return True
 
 
 @compiled

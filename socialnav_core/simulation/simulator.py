@@ -11,6 +11,7 @@ from socialnav_core.config.ranges import Range, require_rule
 from socialnav_core.memory import require_memory, worlds_bytes
 from socialnav_core.simulation.cases import Episodes
 from socialnav_core.simulation.crowds.protocol import make_crowd
+from socialnav_core.simulation.foresight import foresee
 from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.simulation.motion import Motion, move_worlds, TIME_TOLERANCE
 from socialnav_core.simulation.rewards import Outcome, reward_settings, step_outcomes
@@ -157,6 +158,14 @@ class Simulator:
             'the oracle look-ahead needs robot_visible: false; use constant_velocity',
         )
         return self._decide().copy()
+
+    def foresee(self, steps: int) -> np.ndarray:
+        """
+        Return where agents would be after each of the next steps, m, (batch, steps, agents, 2).
+
+        Only metrics may know: nobody changes their mind or is replaced on the way there.
+        """
+        return foresee(self._episodes, self._crowd, steps)
 
     def set_goal(self, world: int, goal: Sequence[float] | np.ndarray) -> None:
         """

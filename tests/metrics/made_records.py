@@ -37,4 +37,7 @@ def make_records(outcomes, intrusions=None, **columns):
         clearance=gap,
         pedestrian_clearance=gap,
         time_to_collision=gap,
+        foreseen_distance=np.full_like(gap, np.nan),
+        bound=np.full(count, np.nan),
+        comfortable_bound=np.full(count, np.nan),
     )

@@ -38,6 +38,11 @@ BY_HAND = {
     'mean_acceleration': (2 + 0 + 2 + 2) / 4,
     'mean_jerk': (4 + 4 + 4 * np.sqrt(2)) / 3,
     'heading_changes': (np.pi / 2) / 1.5,
+    'foreseen_intrusion_rate': 1 / 5,
+    'solvable_rate': 1.0,
+    'solvable_success_rate': 1.0,
+    'time_over_bound': 0.5,
+    'time_over_comfortable_bound': 0.25,
 }
 """Ahead for two steps of 0.5 s at 1 m/s, a pause of one step, one step to the left."""
 
@@ -62,6 +67,9 @@ def by_hand(behind=0):
         clearance=np.array(gaps),
         pedestrian_clearance=np.array(gaps),
         time_to_collision=np.array([[INF, 3.0, 2.0, 1.0, *tail]]),
+        foreseen_distance=np.array([[INF, 0.7, 0.5, 0.6, *tail]]),
+        bound=np.array([1.5]),
+        comfortable_bound=np.array([1.75]),
     )
 
 

@@ -44,7 +44,7 @@ def test_the_trace_of_a_case_is_what_a_run_by_hand_sees():
 
 
 def test_behind_the_end_of_an_episode_everything_is_nan_and_nothing_before_it():
-    records = evaluate(OrcaPolicy(), HARD, 20).records
+    records = evaluate(OrcaPolicy(), HARD, 20, foresight=True).records
     width = records.steps.max()
     for field in dataclasses.fields(records):
         array = getattr(records, field.name)

@@ -10,17 +10,21 @@ from socialnav_core.simulation.layout import ATTEMPTS, GAP, near_any, PackingErr
 from socialnav_core.simulation.random_streams import uniform
 
 
-def velocities_to_goals(episodes: Episodes, rows: int) -> np.ndarray:
+def velocities_to_goals(
+    episodes: Episodes, rows: int, speed: np.ndarray | None = None
+) -> np.ndarray:
     """
     Return how people would walk if they were alone, m/s, (batch, rows, 2).
 
     They walk at full speed, slower within the last metre.
 
     :param rows: at least the number of pedestrians; what lies behind them is not set.
+    :param speed: m/s, (batch, agents); None for what each prefers.
     """
+    speed = episodes.preferred_speed if speed is None else speed
     position, goal = episodes.state.agents.position, episodes.goal
     out = np.empty((len(goal), rows, 2))
-    _head_for_goals(position, goal, episodes.preferred_speed, episodes.scenario.pedestrians, out)
+    _head_for_goals(position, goal, speed, episodes.scenario.pedestrians, out)
     return out
 
 
