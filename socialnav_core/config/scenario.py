@@ -1,6 +1,7 @@
 """Settings of a world: who is in it, how people move, what a step is worth."""
 
 import dataclasses
+import math
 
 from socialnav_core.config.mapping import require, require_choice
 
@@ -12,8 +13,8 @@ CROWDS = {
 """What moves the people, by the names of the files in simulation/crowds."""
 POSITIVE_SCENARIO_FIELDS = (
     'spawn_half_width', 'circle_radius', 'minimum_travel', 'bounds', 'pedestrian_radius',
-    'pedestrian_speed', 'robot_radius', 'robot_preferred_speed', 'goal_tolerance', 'time_step',
-    'time_limit',
+    'pedestrian_speed', 'robot_radius', 'robot_preferred_speed', 'robot_acceleration',
+    'robot_turn_rate', 'robot_angular_acceleration', 'goal_tolerance', 'time_step', 'time_limit',
 )  # fmt: skip
 
 
@@ -93,6 +94,12 @@ class Scenario:
     """Radius of the robot, m."""
     robot_preferred_speed: float = 1.0
     """Preferred and maximum speed of the robot, m/s."""
+    robot_acceleration: float = math.inf
+    """Largest change of the robot's velocity, of a differential drive: of its speed, m/s^2."""
+    robot_turn_rate: float = math.inf
+    """Largest turn rate of a differential drive, rad/s."""
+    robot_angular_acceleration: float = math.inf
+    """Largest change of the turn rate of a differential drive, rad/s^2."""
     robot_visible: bool = False
     """Whether pedestrians see the robot and avoid it."""
     kinematics: str = 'holonomic'
