@@ -1,5 +1,6 @@
 """Every setting, as frozen dataclasses, and the YAML files and names that they come from."""
 
+from socialnav_core.config.differential import DifferentialConfig
 from socialnav_core.config.mapping import ConfigError, require, require_choice
 from socialnav_core.config.policy import PolicyConfig, ScreeningConfig
 from socialnav_core.config.reading import read_config
@@ -18,6 +19,7 @@ __all__ = [
     'Config',
     'ConfigError',
     'CurriculumConfig',
+    'DifferentialConfig',
     'ImitationConfig',
     'KINEMATICS',
     'OrcaConfig',

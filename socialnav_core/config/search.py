@@ -2,7 +2,9 @@
 
 import dataclasses
 
-from socialnav_core.config.mapping import require
+from socialnav_core.config.differential import DifferentialConfig
+from socialnav_core.config.mapping import require, require_choice
+from socialnav_core.config.scenario import KINEMATICS
 
 POSITIVE = (
     'horizon', 'time_step', 'layer', 'cell', 'fine_cell', 'slack', 'goal_tolerance', 'grid',
@@ -19,6 +21,8 @@ SHARES = ('contact_discount', 'intrusion_discount')
 class SearchConfig:
     """What the search looks at, and what it is worth; costs are in seconds of travel."""
 
+    kinematics: str = 'holonomic'
+    """Motion of the robot: holonomic or differential."""
     lookahead: str = 'constant_velocity'
     """Prediction of the pedestrians, by its name."""
     horizon: float = 3.0
@@ -66,8 +70,12 @@ class SearchConfig:
     window: float = 12.0
     """Half-width of the square around the robot in which these are computed, m."""
 
+    differential: DifferentialConfig = DifferentialConfig()
+    """What only a differential drive has."""
+
     def __post_init__(self) -> None:
         """Refuse values that describe no search."""
+        require_choice('kinematics', self.kinematics, KINEMATICS)
         for name in POSITIVE:
             require(getattr(self, name) > 0, f'{name} must be positive')
         for name in NOT_NEGATIVE:

@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 
-from socialnav_core.config import SearchConfig
+from socialnav_core.config import ConfigError, SearchConfig
 from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.policies.search.costs import Costs
 from socialnav_core.policies.search.fields import GeodesicCache
@@ -32,9 +32,11 @@ class SearchPolicy:
         Choose settings.
 
         :param predictor: takes the place of the one that the settings name.
-        :raises ConfigError: when the settings name no prediction.
+        :raises ConfigError: when the settings name no prediction, or another kind of robot.
         """
         self.settings = settings or SearchConfig()
+        if self.settings.kinematics != self.kinematics:
+            raise ConfigError(f'this search needs kinematics={self.kinematics}')
         self.predictor = predictor or make_predictor(self.settings.lookahead)
         self.plan: np.ndarray | None = None
         """Where the robots were meant to go at the last decision, m, (batch, layers, 2)."""
