@@ -55,6 +55,13 @@ class Robot:
     """Speed that it would like to drive at, m/s, (batch,)."""
     goal: np.ndarray
     """Where it should arrive, m, (batch, 2)."""
+    turn_rate: np.ndarray = None  # type: ignore[assignment]
+    """Turn rate, rad/s, counter-clockwise, (batch,); where it is left out, nobody turns."""
+
+    def __post_init__(self) -> None:
+        """Fill in a turn rate that was left out."""
+        if self.turn_rate is None:
+            self.turn_rate = np.zeros_like(self.heading, dtype=np.float64)
 
     def as_agents(self) -> Agents:
         """Return the robot as others see it: one agent in each world."""
@@ -125,7 +132,10 @@ class CrowdState:
     @staticmethod
     def from_arrays(arrays: dict[str, np.ndarray]) -> 'CrowdState':
         """Return the state whose `arrays` these are; other names are left aside."""
-        robot = Robot(*(arrays[f'robot.{field.name}'] for field in dataclasses.fields(Robot)))
+        known = (field.name for field in dataclasses.fields(Robot))
+        robot = Robot(**{
+            name: arrays[f'robot.{name}'] for name in known if f'robot.{name}' in arrays
+        })  # fmt: skip
         agents = Agents(*(arrays[f'agents.{field.name}'] for field in dataclasses.fields(Agents)))
         return CrowdState(robot, agents, arrays['bounds'], arrays['time'])
 

@@ -56,6 +56,12 @@ def test_a_state_is_the_one_of_its_arrays():
         assert again.arrays()[name] is array
 
 
+def test_a_state_that_was_kept_without_turn_rates_turns_nowhere():
+    arrays = Simulator(make_scenario('hard'), 2).reset(seed=2).arrays()
+    del arrays['robot.turn_rate']
+    np.testing.assert_array_equal(CrowdState.from_arrays(arrays).robot.turn_rate, np.zeros(2))
+
+
 def test_a_copy_shares_no_memory():
     state = Simulator(make_scenario('hard'), 2).reset(seed=2)
     for name, array in state.copy().arrays().items():

@@ -69,7 +69,7 @@ def open_policy(model: str, given: argparse.Namespace) -> 'Policy':
     from socialnav_core.policies import load_policy
 
     use_threads(given)
-    return load_policy(model, **chosen_overrides(given))
+    return load_policy(model, **suited_to_scenario(model, given) | chosen_overrides(given))
 
 
 def open_policies(models: list[str], given: argparse.Namespace) -> dict[str, 'Policy']:
@@ -88,7 +88,8 @@ def open_policies(models: list[str], given: argparse.Namespace) -> dict[str, 'Po
     return {
         model: load_policy(
             model,
-            **{
+            **suited_to_scenario(model, given)
+            | {
                 name: value
                 for name, value in overrides.items()
                 if has_setting(model, name) or name in foreign  # which is then complained about
@@ -96,6 +97,13 @@ def open_policies(models: list[str], given: argparse.Namespace) -> dict[str, 'Po
         )
         for model in models
     }
+
+
+def suited_to_scenario(model: str, given: argparse.Namespace) -> dict[str, Any]:
+    """Return the overrides with which a model drives the robot of the scenario, if it can."""
+    from socialnav_core.policies.loading import suited
+
+    return suited(model, chosen_scenario(given).kinematics)
 
 
 def chosen_overrides(given: argparse.Namespace) -> dict[str, Any]:

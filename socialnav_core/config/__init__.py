@@ -1,6 +1,7 @@
 """Every setting, as frozen dataclasses, and the YAML files and names that they come from."""
 
 from socialnav_core.config.bound import BoundConfig
+from socialnav_core.config.differential import DifferentialConfig
 from socialnav_core.config.documents import read_yaml
 from socialnav_core.config.mapping import ConfigError, require, require_choice
 from socialnav_core.config.policy import PolicyConfig, ScreeningConfig
@@ -26,6 +27,7 @@ __all__ = [
     'Config',
     'ConfigError',
     'CurriculumConfig',
+    'DifferentialConfig',
     'ImitationConfig',
     'KINEMATICS',
     'OrcaConfig',

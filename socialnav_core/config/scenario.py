@@ -114,6 +114,12 @@ class Scenario:
     """Where the robot begins, [x, y], m; null: drawn by the layout."""
     robot_goal: Annotated[tuple[float, float] | None, Point(FARTHEST)] = None
     """Where the robot shall arrive, [x, y], m; null: drawn by the layout."""
+    robot_acceleration: Annotated[float, Range(0.001, 1000, or_infinite=True)] = math.inf
+    """Largest change of the robot's velocity, of a differential drive: of its speed, m/s^2."""
+    robot_turn_rate: Annotated[float, Range(0.001, 1000, or_infinite=True)] = math.inf
+    """Largest turn rate of a differential drive, rad/s."""
+    robot_angular_acceleration: Annotated[float, Range(0.001, 1000, or_infinite=True)] = math.inf
+    """Largest change of the turn rate of a differential drive, rad/s^2."""
     robot_visible: bool = False
     """Whether pedestrians see the robot and avoid it."""
     kinematics: Annotated[str, OneOf(KINEMATICS)] = 'holonomic'

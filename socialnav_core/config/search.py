@@ -3,8 +3,10 @@
 import dataclasses
 from typing import Annotated
 
+from socialnav_core.config.differential import DifferentialConfig
 from socialnav_core.config.mapping import require
-from socialnav_core.config.ranges import Range, require_allowed
+from socialnav_core.config.ranges import OneOf, Range, require_allowed
+from socialnav_core.config.scenario import KINEMATICS
 
 MOST_NODES = 2e6
 """Layers times cells, which decide how much memory the search has."""
@@ -14,6 +16,8 @@ MOST_NODES = 2e6
 class SearchConfig:
     """What the search looks at, and what it is worth; costs are in seconds of travel."""
 
+    kinematics: Annotated[str, OneOf(KINEMATICS)] = 'holonomic'
+    """Motion of the robot: holonomic or differential."""
     lookahead: str = 'constant_velocity'
     """Prediction of the pedestrians, by its name."""
     horizon: Annotated[float, Range(0.01, 30)] = 3.0
@@ -70,6 +74,8 @@ class SearchConfig:
     """First motions whose best paths are valued, at most."""
     candidate_slack: Annotated[float, Range(0, 100)] = 1.0
     """Paths that are worse than the best by more than this are not valued, s."""
+    differential: DifferentialConfig = DifferentialConfig()
+    """What only a differential drive has."""
 
     def __post_init__(self) -> None:
         """Refuse values that describe no search."""

@@ -29,6 +29,7 @@ from socialnav_core.policies.protocol import (
 from socialnav_core.prediction.oracle import attach_simulator
 from socialnav_core.progress import progress_bar
 from socialnav_core.simulation import Simulator
+from socialnav_core.simulation.kinematics import Limits, limits_of
 from socialnav_core.states import CrowdState
 
 BATCH_SIZE = 128
@@ -150,6 +151,7 @@ def evaluate(
     actions = getattr(getattr(policy, 'config', None), 'actions', 1)
     needed = evaluation_bytes(episodes, min(batch_size, episodes), scenario, actions)
     require_memory(needed, f'{episodes} episodes')
+    limits = limits_of(scenario)
     recorder = EpisodeRecorder(episodes, scenario.goal_tolerance)
     simulator = Simulator(scenario, min(batch_size, episodes))
     state = simulator.reset(seed=seed, split=split, cases=np.arange(episodes))
@@ -161,7 +163,7 @@ def evaluate(
     seconds = 0.0
     while (active := simulator.active).any():
         started = time.perf_counter()
-        command = commands_where_active(policy, state, active)
+        command = commands_where_active(policy, state, active, limits)
         seconds += time.perf_counter() - started
         before = state
         foreseen = foreseen_distance(before, simulator) if foresight else None
@@ -205,15 +207,18 @@ def asked_worlds(policy: Policy, active: np.ndarray) -> np.ndarray:
     return np.ones_like(active) if policy.description.remembers else active
 
 
-def commands_where_active(policy: Policy, state: CrowdState, active: np.ndarray) -> np.ndarray:
+def commands_where_active(
+    policy: Policy, state: CrowdState, active: np.ndarray, limits: Limits | None = None
+) -> np.ndarray:
     """
     Return the commands of a policy in all worlds, zero where it is not asked, (batch, 2).
 
     :param active: which worlds run, bool (batch,).
+    :param limits: what the robots can do, None: anything.
     """
     asked = asked_worlds(policy, active)
     if asked.all():
-        return policy.act(state)
+        return policy.act(state, limits)
     commands = np.zeros((len(asked), 2))
-    commands[asked] = policy.act(state.select(asked))
+    commands[asked] = policy.act(state.select(asked), limits)
     return commands

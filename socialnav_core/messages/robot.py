@@ -8,9 +8,7 @@ from socialnav_core.simulation.kinematics.angles import rotated
 from socialnav_core.states import CrowdState
 
 
-def odometry(
-    state: CrowdState, nanoseconds: int, frame: str, base_frame: str, turn_rate: float = 0.0
-) -> Message:
+def odometry(state: CrowdState, nanoseconds: int, frame: str, base_frame: str) -> Message:
     """
     Return pose and velocity of the robot as a nav_msgs/Odometry.
 
@@ -21,7 +19,7 @@ def odometry(
     heading = float(state.robot.heading[0])
     pose = {'position': vector(state.robot.position[0]), 'orientation': rotation(heading)}
     linear = vector(rotated(state.robot.velocity[0], -heading))
-    twist = {'linear': linear, 'angular': vector(np.zeros(2), turn_rate)}
+    twist = {'linear': linear, 'angular': vector(np.zeros(2), float(state.robot.turn_rate[0]))}
     return {
         'header': header(nanoseconds, frame),
         'child_frame_id': base_frame,

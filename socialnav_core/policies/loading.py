@@ -14,6 +14,7 @@ from socialnav_core.places import MODELS
 from socialnav_core.policies.orca import OrcaPolicy
 from socialnav_core.policies.protocol import Policy
 from socialnav_core.policies.search.checkpoint import load_planner, PLANNER, Planner
+from socialnav_core.policies.search.kinds import search_policy
 from socialnav_core.policies.search.search_policy import SearchPolicy
 from socialnav_core.policies.search.terminal import TerminalValue
 from socialnav_core.policies.straight_line import StraightLinePolicy
@@ -34,7 +35,7 @@ class WithoutNetwork:
 WITHOUT_NETWORK = {
     'orca': WithoutNetwork(OrcaPolicy()),
     'straight_line': WithoutNetwork(StraightLinePolicy()),
-    'search': WithoutNetwork(SearchConfig(), SearchPolicy),
+    'search': WithoutNetwork(SearchConfig(), search_policy),
 }
 """Policies that need no checkpoint, by name."""
 SHORT_NAMES = {'screening': 'screening.enabled'}
@@ -132,6 +133,12 @@ def wanted_settings(model: str | Path, overrides: Mapping[str, Any]) -> dict[str
             name in known, f'{model} has no setting {name!r}; it has {", ".join(known) or "none"}'
         )
     return wanted
+
+
+def suited(model: str | Path, kinematics: str) -> dict[str, Any]:
+    """Return the overrides with which a model drives a kind of robot, none where it is fixed."""
+    fixed = model not in WITHOUT_NETWORK or not has_setting(model, 'kinematics')
+    return {} if fixed else {'kinematics': kinematics}
 
 
 def has_setting(model: str | Path, name: str) -> bool:

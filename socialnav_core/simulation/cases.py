@@ -82,8 +82,8 @@ class Episodes:
         """Return what a step changes; the time until decisions, s, (batch,), is not kept here."""
         robot, agents = self.state.robot, self.state.agents
         return Moving(
-            robot.position, robot.velocity, robot.heading, agents.position, agents.velocity,
-            self.state.time, until_decision,
+            robot.position, robot.velocity, robot.heading, robot.turn_rate, agents.position,
+            agents.velocity, self.state.time, until_decision,
         )  # fmt: skip
 
     def records(self) -> Records:
@@ -129,6 +129,7 @@ class Episodes:
         for array in (
             state.robot.velocity,
             state.robot.heading,
+            state.robot.turn_rate,
             state.agents.velocity,
             state.time,
         ):

@@ -22,6 +22,8 @@ class Motion(NamedTuple):
     """At the end of the step, m/s, (batch, 2)."""
     heading: np.ndarray
     """Of the robots at the end, rad, (batch,)."""
+    robot_turn_rate: np.ndarray
+    """rad/s, (batch,)."""
     agent_velocity: np.ndarray
     """m/s, (batch, agents, 2)."""
 
@@ -32,6 +34,7 @@ class Moving(NamedTuple):
     robot_position: np.ndarray
     robot_velocity: np.ndarray
     robot_heading: np.ndarray
+    robot_turn_rate: np.ndarray
     position: np.ndarray
     velocity: np.ndarray
     time: np.ndarray
@@ -74,6 +77,7 @@ def move_worlds(  # type: ignore[no-untyped-def]
         now.robot_velocity[world, 0] = does.robot_velocity[world, 0]
         now.robot_velocity[world, 1] = does.robot_velocity[world, 1]
         now.robot_heading[world] = does.heading[world]
+        now.robot_turn_rate[world] = does.robot_turn_rate[world]
         for i in range(now.position.shape[1]):
             for axis in range(2):
                 now.velocity[world, i, axis] = does.agent_velocity[world, i, axis]

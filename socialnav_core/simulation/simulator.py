@@ -12,7 +12,7 @@ from socialnav_core.memory import require_memory, worlds_bytes
 from socialnav_core.simulation.cases import Episodes
 from socialnav_core.simulation.crowds.protocol import make_crowd
 from socialnav_core.simulation.foresight import foresee
-from socialnav_core.simulation.kinematics import kinematics_of
+from socialnav_core.simulation.kinematics import kinematics_of, limits_of
 from socialnav_core.simulation.motion import Motion, move_worlds, TIME_TOLERANCE
 from socialnav_core.simulation.rewards import Outcome, reward_settings, step_outcomes
 from socialnav_core.states import CrowdState
@@ -51,6 +51,7 @@ class Simulator:
         require_choice('autoreset', autoreset, AUTORESETS)
         self.scenario = scenario
         self.kinematics = kinematics_of(scenario.kinematics)
+        self._limits = limits_of(scenario)
         self.batch_size = batch_size
         self.autoreset = autoreset
         self._episodes = Episodes(scenario, batch_size)
@@ -107,13 +108,14 @@ class Simulator:
         episode so far: steps, time, path_length, minimum_clearance; and final_state, the
         CrowdState before finished worlds were started again.
 
-        :param command: (vx, vy) in the world frame or (speed, turn rate), (batch, 2).
+        :param command: (vx, vy) in the world frame or (speed, turn rate), (batch, 2); the robot
+            follows it as far as the scenario's limits allow.
         :param duration: at most the scenario's time step, s; pedestrians decide only at multiples
             of the time step since the episode began.
         :raises ValueError: for a command of another shape, one that is not finite or faster than
             FASTEST, for another duration, or before the first `reset`.
         """
-        command = self._checked(command, duration)
+        command = self._executable(self._checked(command, duration), duration)
         velocities, episodes, scenario = self._decide(), self._episodes, self.scenario
         displacement, robot_velocity, heading = self.kinematics.move(
             episodes.state.robot.heading, command, duration
@@ -123,7 +125,8 @@ class Simulator:
         )
         reward, outcome, clearance, pedestrian_clearance = (array.reshape(-1) for array in judged)
         active = self.active
-        motion = Motion(displacement, robot_velocity, heading, velocities)
+        turn_rate = self.kinematics.turn_rates(command)
+        motion = Motion(displacement, robot_velocity, heading, turn_rate, velocities)
         moving = episodes.moving(self._until_decision)
         move_worlds(
             active, tuple(motion), duration, clearance, scenario.time_limit, tuple(moving),
@@ -248,6 +251,13 @@ class Simulator:
             )
             raise ValueError(f'command is {absurd}')
         return command
+
+    def _executable(self, command: np.ndarray, duration: float) -> np.ndarray:
+        """Return what the robots make of a command within the limits of the scenario."""
+        if self._limits is None:
+            return command
+        present = self.kinematics.present_command(self._episodes.state.robot)
+        return self.kinematics.reachable(command, present, self._limits, duration)
 
     def _decide(self) -> np.ndarray:
         """Return the velocities of the agents, decided again in the worlds where that is due."""

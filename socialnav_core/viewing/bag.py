@@ -50,11 +50,10 @@ def all_messages(recording: Recording) -> Iterator[tuple[str, messages.Message, 
     commands, kinematics = recording.commands or [], kinematics_of(recording.kinematics)
     for step, state in enumerate(recording.states):
         stamp = START + round(float(state.time[0]) * 1e9)
-        turn_rate = kinematics.twist(commands[step - 1])[2] if commands and step else 0.0
         yield 'goal_pose', messages.goal(state, stamp, FRAME), stamp
         yield 'obstacles', messages.agent_states(state, True, stamp, FRAME), stamp
         yield 'pedestrians', messages.agent_states(state, False, stamp, FRAME), stamp
-        yield 'odom', messages.odometry(state, stamp, FRAME, BASE_FRAME, turn_rate), stamp
+        yield 'odom', messages.odometry(state, stamp, FRAME, BASE_FRAME), stamp
         tolerance = recording.goal_tolerance
         yield 'markers', messages.world_markers(state, tolerance, stamp, FRAME), stamp
         if step < len(commands):

@@ -9,6 +9,7 @@ from socialnav_core.config.scenarios import changes_of
 from socialnav_core.policies.protocol import Policy, PolicyDescription, require_same_kinematics
 from socialnav_core.prediction.oracle import attach_simulator
 from socialnav_core.simulation import Outcome, Simulator
+from socialnav_core.simulation.kinematics import limits_of
 from socialnav_core.states import CrowdState
 
 OUTCOMES = {
@@ -132,6 +133,7 @@ def record(
     :raises ConfigError: when the policy drives another kind of robot.
     """
     require_same_kinematics(policy, scenario)
+    limits = limits_of(scenario)
     simulator = Simulator(scenario, batch_size=1)
     states = [simulator.reset(seed=seed, split=split, cases=[case_index])]
     policy.reset()
@@ -144,7 +146,7 @@ def record(
         weights = policy.attention(states[-1])
         if weights is not None:
             attention.append(weights[0])
-        commands.append(policy.act(states[-1])[0])
+        commands.append(policy.act(states[-1], limits)[0])
         _, _, terminated, truncated, info = simulator.step(commands[-1][None])
         states.append(info['final_state'])
         closest.append(float(info['clearance'][0]))

@@ -22,9 +22,9 @@ class Counting(StraightLinePolicy):
     def __init__(self):
         self.rows = 0
 
-    def act(self, state):
+    def act(self, state, limits=None):
         self.rows += state.batch_size
-        return super().act(state)
+        return super().act(state, limits)
 
 
 @pytest.mark.parametrize('batch_size', [1, 7, 64])

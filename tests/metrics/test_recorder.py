@@ -15,7 +15,7 @@ HARD = make_scenario('hard')
 
 
 class Standing(StraightLinePolicy):
-    def act(self, state):
+    def act(self, state, limits=None):
         return np.zeros((state.batch_size, 2))
 
 

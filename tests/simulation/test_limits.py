@@ -8,10 +8,11 @@ import pytest
 import torch
 
 from socialnav_core.config import PolicyConfig, ScreeningConfig
-from socialnav_core.policies import build_network, ValuePolicy
+from socialnav_core.evaluation import evaluate
+from socialnav_core.policies import build_network, StraightLinePolicy, ValuePolicy
 from socialnav_core.policies.value.screening import safe_actions
 from socialnav_core.simulation import make_scenario, Simulator
-from socialnav_core.simulation.kinematics import Holonomic, kinematics_of, Limits
+from socialnav_core.simulation.kinematics import Holonomic, kinematics_of, Limits, limits_of
 
 NONE = Limits(1.0, math.inf, math.inf, 0.1)
 TIGHT = Limits(0.8, 1.0, 1.0, 0.1)
@@ -117,3 +118,47 @@ def test_a_robot_that_brakes_slowly_must_brake_early():
 def test_far_away_a_robot_that_brakes_slowly_may_hurry():
     commands, mask = safe_from(facing_an_obstacle(4.0, 0.9), Limits(1.0, 1.0, math.inf, 0.1))
     assert commands[mask, 0].max() > 0.99
+
+
+LIMITED = {
+    'robot_acceleration': 1.0, 'robot_turn_rate': 1.5, 'robot_angular_acceleration': 2.0,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize('kinematics', KINEMATICS)
+def test_a_simulated_robot_follows_commands_within_the_limits_of_its_scenario(kinematics):
+    scenario = dataclasses.replace(make_scenario('hard'), kinematics=kinematics, **LIMITED)
+    simulator, generator = Simulator(scenario, 5), np.random.default_rng(0)
+    state = simulator.reset(seed=1)
+    for _ in range(12):
+        motion, limits = kinematics_of(kinematics), limits_of(scenario)
+        before = motion.present_command(state.robot)
+        command = generator.normal(scale=3.0, size=(5, 2))
+        done = motion.reachable(command, before, limits, limits.period)
+        state, _, terminated, truncated, _ = simulator.step(command)
+        running = ~(terminated | truncated)
+        after = motion.present_command(state.robot)
+        np.testing.assert_allclose(after[running], done[running], atol=1e-12)
+        assert np.all(np.abs(after - before)[running] <= np.array([0.25, 0.5]) + 1e-9)
+
+
+def test_a_scenario_without_limits_has_none():
+    assert limits_of(make_scenario('hard')) is None
+    limited = dataclasses.replace(make_scenario('hard'), robot_turn_rate=1.5)
+    assert limits_of(limited) == Limits(1.0, math.inf, 1.5, 0.25, math.inf)
+
+
+def test_a_turn_rate_changes_no_faster_than_the_limit():
+    drive, limits = kinematics_of('differential'), Limits(1.0, 1.0, 1.5, 0.25, 2.0)
+    present, wanted = np.array([[0.5, 1.2]]), np.array([[0.6, -1.0], [0.6, 3.0]])
+    reached = drive.reachable(wanted, present, limits, 0.25)
+    np.testing.assert_allclose(reached, [[0.6, 0.7], [0.6, 1.5]])
+
+
+def test_evaluation_hands_the_limits_of_the_scenario_to_the_policy():
+    scenario = dataclasses.replace(make_scenario('hard'), robot_acceleration=0.8)
+    policy = StraightLinePolicy()
+    heard = []
+    policy.act = lambda state, limits: heard.append(limits) or np.zeros((state.batch_size, 2))
+    evaluate(policy, dataclasses.replace(scenario, time_limit=1.0), 2)
+    assert set(heard) == {limits_of(scenario)}

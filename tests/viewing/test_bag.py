@@ -85,7 +85,7 @@ def test_the_commands_lead_from_each_state_to_the_next(kinematics, tmp_path):
     policy = StraightLinePolicy()
     policy.kinematics = kinematics
     if kinematics == 'differential':
-        policy.act = lambda state: np.array([[0.5, 0.2]])
+        policy.act = lambda state, limits: np.array([[0.5, 0.2]])
     recording = record(policy, scenario, seed=1)
     bag.write_bag(recording, tmp_path / 'episode.mcap')
     twists = [one.twist for _, one in messages(tmp_path / 'episode.mcap', '/cmd_vel')]

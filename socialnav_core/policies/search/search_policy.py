@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 
-from socialnav_core.config import SearchConfig
+from socialnav_core.config import ConfigError, SearchConfig
 from socialnav_core.finiteness import require_finite
 from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.policies.search.candidates import Candidates, make_candidates, ways_on
@@ -45,9 +45,11 @@ class SearchPolicy:
         :param predictor: takes the place of the one that the settings name.
         :param value: what the ways on are worth at the horizon; None: the distance to the goal.
         :param name: what results call it.
-        :raises ConfigError: when the settings name no prediction.
+        :raises ConfigError: when the settings name no prediction, or another kind of robot.
         """
         self.settings = settings or SearchConfig()
+        if self.settings.kinematics != self.kinematics:
+            raise ConfigError(f'this search needs kinematics={self.kinematics}')
         self.predictor = predictor or make_predictor(self.settings.lookahead)
         self.value = value
         self.name = name

@@ -2,11 +2,12 @@
 
 from socialnav_core.simulation.kinematics.differential import DifferentialDrive
 from socialnav_core.simulation.kinematics.holonomic import Holonomic
-from socialnav_core.simulation.kinematics.limits import Limits
+from socialnav_core.simulation.kinematics.limits import Limits, limits_of
 from socialnav_core.simulation.kinematics.protocol import Kinematics
 
 __all__ = [
     'BY_NAME', 'DifferentialDrive', 'Holonomic', 'Kinematics', 'Limits', 'kinematics_of',
+    'limits_of',
 ]  # fmt: skip
 
 BY_NAME: dict[str, Kinematics] = {'holonomic': Holonomic(), 'differential': DifferentialDrive()}

@@ -6,7 +6,7 @@ import numpy as np
 
 from socialnav_core.config import PolicyConfig
 from socialnav_core.simulation.kinematics.angles import direction, wrap
-from socialnav_core.simulation.kinematics.limits import bounded, Limits
+from socialnav_core.simulation.kinematics.limits import changed, Limits
 from socialnav_core.simulation.kinematics.speeds import exponential_speeds
 from socialnav_core.states import Robot
 
@@ -43,21 +43,27 @@ class DifferentialDrive:
         return displacement, speed[..., None] * direction(end_heading), wrap(end_heading)
 
     def present_command(self, robot: Robot) -> np.ndarray:
-        """Return the speed along the heading; the turn rate is not known and taken to be 0."""
+        """Return the speed along the heading, and the turn rate."""
         speed = (robot.velocity * direction(robot.heading)).sum(axis=-1)
-        return np.stack([speed, np.zeros_like(speed)], axis=-1)
+        return np.stack([speed, robot.turn_rate], axis=-1)
+
+    def turn_rates(self, command: np.ndarray) -> np.ndarray:
+        """Return the second number of each command."""
+        return command[..., 1]
 
     def reachable(
         self, commands: np.ndarray, present: np.ndarray, limits: Limits, duration: float
     ) -> np.ndarray:
-        """Return the commands with the change of speed, speed and turn rate bounded."""
-        present_speed = bounded(present[..., 0], limits.speed)
-        gain = commands[..., 0] - present_speed
-        limited = bounded(gain, limits.acceleration * duration)
-        # a gain within bounds must give the very command, which a sum of differences does not
-        speed = np.where(limited == gain, commands[..., 0], present_speed + limited)
-        turn_rate = bounded(commands[..., 1], limits.turn_rate)
-        return np.stack([bounded(speed, limits.speed), turn_rate], axis=-1)
+        """Return the commands with speed and turn rate, and the changes of both, bounded."""
+        bounds = (
+            (limits.speed, limits.acceleration),
+            (limits.turn_rate, limits.angular_acceleration),
+        )
+        numbers = [
+            changed(present[..., axis], commands[..., axis], largest, change * duration)
+            for axis, (largest, change) in enumerate(bounds)
+        ]
+        return np.stack(np.broadcast_arrays(*numbers), axis=-1)
 
     def mean_command(self, first: np.ndarray, last: np.ndarray) -> np.ndarray:
         """Return the mean speed and the last turn rate, which is reached at once."""

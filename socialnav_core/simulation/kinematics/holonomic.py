@@ -38,6 +38,10 @@ class Holonomic:
         """Return the velocity."""
         return robot.velocity
 
+    def turn_rates(self, command: np.ndarray) -> np.ndarray:
+        """Return zeros: such a base never turns."""
+        return np.zeros(command.shape[:-1])
+
     def reachable(
         self, commands: np.ndarray, present: np.ndarray, limits: Limits, duration: float
     ) -> np.ndarray:

@@ -1,8 +1,11 @@
 """What a robot can do at all, and the cutting of numbers and vectors to it."""
 
 import dataclasses
+import math
 
 import numpy as np
+
+from socialnav_core.config import Scenario
 
 ROUNDING = 1 + 1e-9
 """Factor of a limit within which a number still counts as inside."""
@@ -20,12 +23,37 @@ class Limits:
     """Largest turn rate of a differential drive, rad/s."""
     period: float
     """Time between two commands, s."""
+    angular_acceleration: float = math.inf
+    """Largest change of the turn rate of a differential drive, rad/s^2."""
+
+
+def limits_of(scenario: Scenario) -> Limits | None:
+    """Return what the robot of a scenario can do in a step, None where it can do anything."""
+    changes = (
+        scenario.robot_acceleration, scenario.robot_turn_rate, scenario.robot_angular_acceleration
+    )  # fmt: skip
+    if all(map(math.isinf, changes)):
+        return None
+    acceleration, turn_rate, angular_acceleration = changes
+    return Limits(
+        scenario.robot_preferred_speed, acceleration, turn_rate, scenario.time_step,
+        angular_acceleration,
+    )  # fmt: skip
 
 
 def bounded(numbers: np.ndarray, limit: float) -> np.ndarray:
     """Return numbers brought into [-limit, limit]; those in it, but for rounding, stay."""
     outside = np.abs(numbers) > limit * ROUNDING
     return np.where(outside, np.clip(numbers, -limit, limit), numbers)
+
+
+def changed(present: np.ndarray, wanted: np.ndarray, largest: float, change: float) -> np.ndarray:
+    """Return the numbers nearest to those wanted within a size, and a change from the present."""
+    present = bounded(present, largest)
+    gain = wanted - present
+    limited = bounded(gain, change)
+    # a gain within bounds must give the very number, which a sum of differences does not
+    return bounded(np.where(limited == gain, wanted, present + limited), largest)
 
 
 def longer(vectors: np.ndarray, length: float) -> np.ndarray:

@@ -60,7 +60,11 @@ class Kinematics(Protocol):
         ...
 
     def present_command(self, robot: Robot) -> np.ndarray:
-        """Return the command that a robot seems to follow, (batch, 2); none seems to turn."""
+        """Return the command that a robot seems to follow, (batch, 2)."""
+        ...
+
+    def turn_rates(self, command: np.ndarray) -> np.ndarray:
+        """Return how fast commands turn a robot, rad/s, (...)."""
         ...
 
     def reachable(
@@ -69,7 +73,7 @@ class Kinematics(Protocol):
         """
         Return the nearest commands within the limits; those within them come back unchanged.
 
-        :param present: the command followed now; its turn rate does not matter.
+        :param present: the command followed now.
         :param limits: of the robot; its speed counts more than its acceleration.
         :param duration: time for the change, s.
         """

@@ -13,7 +13,7 @@ from socialnav.messages.conversions import RobotBody
 from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.config import ConfigError
 from socialnav_core.policies import load_policy, Policy
-from socialnav_core.policies.loading import WITHOUT_NETWORK
+from socialnav_core.policies.loading import suited, WITHOUT_NETWORK
 from socialnav_core.states import Agents, CrowdState, Robot
 from socialnav_core.threads import set_threads
 
@@ -47,7 +47,7 @@ def ready_policy(settings: PolicyParameters) -> Policy:
 
 def chosen_overrides(settings: PolicyParameters) -> dict[str, Any]:
     """Return the settings of a policy that the parameters of the policy node change, by name."""
-    return {
+    return suited(settings.model, settings.kinematics) | {
         'screening': SCREENING[settings.screening],
         'screening.horizon': settings.screening_horizon or None,
         'device': None if settings.device == 'cpu' else settings.device,

@@ -1,7 +1,6 @@
 """The parameters of the policy node as they count for the controller, in either mode of time."""
 
 import dataclasses
-import math
 
 from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.config import Scenario
@@ -29,8 +28,9 @@ def lockstep_settings(parameters: PolicyParameters, scenario: Scenario) -> Polic
         preferred_speed=speed,
         bounds=scenario.bounds,
         max_speed=speed,
-        max_acceleration=math.inf,
-        max_turn_rate=math.inf,
+        max_acceleration=scenario.robot_acceleration,
+        max_turn_rate=scenario.robot_turn_rate,
+        max_angular_acceleration=scenario.robot_angular_acceleration,
         kinematics=scenario.kinematics,
         goal_tolerance=scenario.goal_tolerance,
         controller_frequency=1 / scenario.time_step,

@@ -78,6 +78,7 @@ def crowd_state(
             radius=np.array([float(body.radius)]),
             preferred_speed=np.array([float(body.preferred_speed)]),
             goal=goal_array(goal, frame, locate)[None],
+            turn_rate=np.array([float(odometry.twist.twist.angular.z)]),
         ),
         Agents(
             position=agents[0],

@@ -81,6 +81,10 @@ class PolicyParameters:
     max_turn_rate: float = parameter(
         math.pi, 'no command turns faster', 'rad/s', (0.0, 20.0), live='yes'
     )
+    max_angular_acceleration: float = parameter(
+        math.inf, 'no command changes the turn rate faster; .inf: no limit',
+        'rad/s^2', (0.01, math.inf), live='yes',
+    )  # fmt: skip
     goal_tolerance: float = parameter(
         0.3, 'distance to the goal at which it is reached', 'm', (0.01, 5.0), live='yes'
     )
@@ -136,7 +140,10 @@ class PolicyParameters:
     @property
     def limits(self) -> Limits:
         """Return what the robot can do."""
-        return Limits(self.max_speed, self.max_acceleration, self.max_turn_rate, self.period)
+        return Limits(
+            self.max_speed, self.max_acceleration, self.max_turn_rate, self.period,
+            self.max_angular_acceleration,
+        )  # fmt: skip
 
     @property
     def stamped(self) -> bool:

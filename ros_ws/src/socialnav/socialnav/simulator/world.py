@@ -111,7 +111,6 @@ class World:
     def _step(self, duration: float) -> None:
         """Advance the simulator by a time without a decision of pedestrians inside."""
         command = self._world_command()
-        _, _, self.turn_rate = kinematics_of(self.scenario.kinematics).twist(command)
         self.state, _, terminated, truncated, info = self._simulator.advance(
             command[None], duration
         )
@@ -145,6 +144,6 @@ class World:
         """Lay out a case."""
         self.state = self._simulator.reset(seed=self.seed, split='test', cases=[case_index])
         self.case_index = case_index
-        self.episode, self.fresh, self.turn_rate = None, True, 0.0
+        self.episode, self.fresh = None, True
         self.clock += BREAK
         self.drive(np.zeros(2))

@@ -29,7 +29,7 @@ def moving_messages(world: World, nanoseconds: int, frames: Frames) -> dict[str,
     state, now = world.state, (nanoseconds, frames.odom)
     return {
         'pedestrians': filled(AgentStates, agent_states(state, False, *now)),
-        'odom': filled(Odometry, odometry(state, *now, frames.base, world.turn_rate)),
+        'odom': filled(Odometry, odometry(state, *now, frames.base)),
     }
 
 

@@ -20,7 +20,7 @@ TWISTS = [messages.twist(COMMAND, kinematics) for kinematics in ('holonomic', 'd
 CONTENTS = [
     (AgentStates, messages.agent_states(STATE, False, STAMP, 'odom')),
     (AgentStates, messages.agent_states(STATE, True, STAMP, 'odom')),
-    (Odometry, messages.odometry(STATE, STAMP, 'odom', 'base_link', 0.1)),
+    (Odometry, messages.odometry(STATE, STAMP, 'odom', 'base_link')),
     (PoseStamped, messages.goal(STATE, STAMP, 'odom')),
     *((Twist, twist) for twist in TWISTS),
     (TwistStamped, messages.stamped_twist(TWISTS[0], STAMP, 'base_link')),

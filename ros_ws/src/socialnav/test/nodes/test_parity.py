@@ -1,5 +1,7 @@
 """The same cases offline and through the graph."""
 
+import dataclasses
+
 from ament_index_python.packages import get_package_share_directory
 from nav_msgs.msg import Odometry
 import numpy as np
@@ -8,9 +10,11 @@ import torch
 
 from socialnav import qos
 from socialnav.messages.stamps import nanoseconds_of
+from socialnav.parameters import DEFAULT_MODEL
 from socialnav_core.config import Config, PolicyConfig
 from socialnav_core.messages.results import COARSE_OUTCOMES
 from socialnav_core.policies import build_network, load_policy
+from socialnav_core.policies.loading import suited
 from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario, Outcome, Simulator
 from socialnav_msgs.msg import EpisodeResult
@@ -64,19 +68,29 @@ def test_a_case_ends_alike_offline_and_through_the_graph(graph, model, scenario,
     compare(graph, model, scenario, cases)
 
 
-def compare(graph, model, scenario, cases):
-    """Run cases both ways and compare how they end."""
+def test_a_differential_drive_arrives_by_the_default_model_as_it_does_offline(graph):
+    results = compare(graph, DEFAULT_MODEL, 'hard', FEW, kinematics='differential')
+    assert [result.outcome for result in results].count('goal') >= FEW - 1
+
+
+def compare(graph, model, scenario, cases, kinematics='holonomic'):
+    """Run cases both ways, compare how they end and return their results."""
     results = graph.listen(EpisodeResult, 'episode_result', qos.LATCHED_RECORDING)
     odometry = graph.listen(Odometry, 'odom')
-    graph.start('simulator_node', lockstep=True, scenario=scenario, seed=SEED, episodes=cases)
-    graph.start('policy_node', lockstep=True, scenario=scenario, model=model)
+    graph.start('simulator_node', lockstep=True, scenario=scenario, seed=SEED, episodes=cases,
+                kinematics=kinematics)  # fmt: skip
+    graph.start(
+        'policy_node', lockstep=True, scenario=scenario, model=model, kinematics=kinematics
+    )
     graph.wait(lambda: len(results) == cases, 'end of the episodes', deadline=250.0)
     graph.spin(0.2)
     final = {nanoseconds_of(one.header.stamp): one.pose.pose.position for one in odometry}
     torch.set_num_threads(1)  # as in the node
-    policy, world = load_policy(model), make_scenario(scenario)
+    policy = load_policy(model, **suited(model, kinematics))
+    world = dataclasses.replace(make_scenario(scenario), kinematics=kinematics)
     for case, result in enumerate(results):
         outcome, steps, position = offline(policy, world, case)
         assert (result.case_index, result.outcome, result.steps) == (case, outcome, steps)
         place = final[nanoseconds_of(result.header.stamp)]
         np.testing.assert_allclose([place.x, place.y], position, rtol=0, atol=1e-6)
+    return results

@@ -1,0 +1,150 @@
+"""
+The search over arcs: forward dynamic programming with a beam, one layer a step of time.
+
+A node is an exact pose with the speed and the turn rate that led there; of those that fall into
+one cell of a layer the cheapest is kept. All costs are in seconds.
+"""
+
+import math
+
+import numpy as np
+
+from socialnav_core.compilation import compiled, inlined
+from socialnav_core.policies.search.differential.expansion import expand
+from socialnav_core.policies.search.differential.lattice import (
+    HEADING,
+    SPEED,
+    SPENT,
+    TOTAL,
+    TURN_RATE,
+    X,
+    Y,
+)
+from socialnav_core.policies.search.fields import frame_of
+from socialnav_core.policies.search.nearness import choose_active
+from socialnav_core.policies.search.scene import gather_obstacles, gather_people
+from socialnav_core.policies.search.search import arrival_distance, Trip, write_plan
+
+BINS = 64
+"""Totals are counted in so many bins between the best and the slack, to find the beam's end."""
+
+
+@compiled
+def plan_worlds(  # type: ignore[no-untyped-def]
+    worlds, present, base, slots, fields, positions, deviations, weights, lattice, costs, space,
+    commands, plans, totals,
+):  # fmt: skip
+    """
+    Plan in each world.
+
+    Write commands, m/s and rad/s, plans, m, (batch, layers, 2), and expected costs, s.
+
+    :param present: headings, speeds and turn rates, (batch, 3).
+    :param slots: where the distances of each world are in the fields.
+    """
+    for world in range(slots.size):
+        if worlds.speed[world] <= 0.0:
+            commands[world], plans[world], totals[world] = 0.0, worlds.position[world], math.inf
+            continue
+        people = gather_people(
+            worlds, world, positions, deviations, weights, lattice, costs, space
+        )
+        obstacles = gather_obstacles(worlds, world, lattice, costs, space)
+        field, frame = fields.distance[max(0, slots[world])], frame_of(fields, slots[world])
+        start_node(worlds, world, present, base, space)
+        layer, node = search(
+            worlds, world, base, field, frame, people, obstacles, lattice, costs, space
+        )
+        totals[world] = space.nodes[layer, node, TOTAL]
+        write_plan(world, layer, node, space, plans)
+        write_command(world, layer, node, base, lattice, space, commands)
+
+
+@inlined
+def start_node(worlds, world, present, base, space):  # type: ignore[no-untyped-def]
+    """Write the robot as the first node, within its limits."""
+    first, fastest = space.nodes[0, 0], worlds.speed[world]
+    first[X], first[Y] = worlds.position[world, 0], worlds.position[world, 1]
+    first[HEADING] = present[world, 0]
+    first[SPEED] = min(max(present[world, 1], -fastest), fastest)
+    first[TURN_RATE] = min(max(present[world, 2], -base.turn_rate), base.turn_rate)
+    first[SPENT] = first[TOTAL] = 0.0
+
+
+@compiled
+def search(worlds, world, base, field, frame, people, obstacles, lattice, costs, space):  # type: ignore[no-untyped-def]
+    """Fill the layers of a world; return the layer and number of the node to head for."""
+    trip = Trip(
+        worlds.position[world, 0], worlds.position[world, 1],
+        worlds.goal[world, 0], worlds.goal[world, 1],
+        arrival_distance(worlds, world, costs), worlds.speed[world],
+        worlds.bounds[world] - worlds.radius[world] - costs.obstacle_margin,
+    )  # fmt: skip
+    arrival_node = space.nodes.shape[1] - 1
+    count, cut, arrival, arrival_layer = 1, math.inf, math.inf, 0
+    driven, node = 0.0, 0
+    for layer in range(lattice.durations.size):
+        active = choose_active(trip, layer, people, driven, lattice, space)
+        filled, best, reached = expand(
+            trip, base, field, frame, layer, count, cut, arrival, active, obstacles, lattice,
+            costs, space,
+        )  # fmt: skip
+        if reached < arrival:
+            arrival, arrival_layer = reached, layer + 1
+        if arrival <= best:
+            return arrival_layer, arrival_node
+        if filled == 0:
+            return layer, best_node(space.nodes[layer], count)
+        count, cut = filled, beam_end(space.nodes[layer + 1], filled, best, lattice)
+        driven += trip.speed * lattice.durations[layer]
+    last = lattice.durations.size
+    node = best_node(space.nodes[last], count)
+    if arrival < space.nodes[last, node, TOTAL]:
+        return arrival_layer, arrival_node
+    return last, node
+
+
+@inlined
+def best_node(nodes, count):  # type: ignore[no-untyped-def]
+    """Return the node of a layer with the least total."""
+    best = 0
+    for node in range(count):
+        if nodes[node, TOTAL] < nodes[best, TOTAL]:
+            best = node
+    return best
+
+
+@inlined
+def beam_end(nodes, count, best, lattice):  # type: ignore[no-untyped-def]
+    """Return the total up to which nodes are followed: about as many as the beam is wide."""
+    if count <= lattice.beam:
+        return best + lattice.slack
+    histogram = np.zeros(BINS, np.int64)
+    scale = BINS / lattice.slack
+    for node in range(count):
+        place = (nodes[node, TOTAL] - best) * scale
+        if place < BINS:
+            histogram[int(place)] += 1
+    followed = histogram[0]
+    for place in range(1, BINS):
+        followed += histogram[place]
+        if followed > lattice.beam:
+            return best + place / scale
+    return best + lattice.slack
+
+
+@inlined
+def write_command(world, layer, node, base, lattice, space, commands):  # type: ignore[no-untyped-def]
+    """Write the first command on the way to a node; without a way, the hardest braking."""
+    if layer == 0:
+        speed, change = space.nodes[0, 0, SPEED], base.acceleration * lattice.durations[0]
+        commands[world, 0] = math.copysign(max(abs(speed) - change, 0.0), speed)
+        turn_rate = space.nodes[0, 0, TURN_RATE]
+        change = base.angular_acceleration * lattice.durations[0]
+        commands[world, 1] = math.copysign(max(abs(turn_rate) - change, 0.0), turn_rate)
+        return
+    while layer > 1:
+        node = space.parent[layer, node]
+        layer -= 1
+    commands[world, 0] = space.nodes[1, node, SPEED]
+    commands[world, 1] = space.nodes[1, node, TURN_RATE]
