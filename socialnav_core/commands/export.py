@@ -15,12 +15,8 @@ def add_parser(commands: Any) -> None:
     """Add the command."""
     summary = 'Write the value network of a model as an ONNX file.'
     parser = add_command(commands, 'export', run, summary, EXAMPLES)
-    parser.add_argument(
-        'model', metavar='MODEL', help='folder of a checkpoint or name in models/'
-    )
-    parser.add_argument(
-        '--out', type=Path, metavar='FILE', help='what to write (out/MODEL.onnx)'
-    )
+    parser.add_argument('model', metavar='MODEL', help='folder of a checkpoint or name in models/')
+    parser.add_argument('--out', type=Path, metavar='FILE', help='what to write (out/MODEL.onnx)')
     add_overwrite_option(parser)
 
 
@@ -36,4 +32,6 @@ def run(given: argparse.Namespace) -> None:
     require_new(path, given)
     logging.disable(logging.WARNING)  # torch tells of packages for images
     export_network(read_model(folder).network, path)
-    print(f'{path}: robot (rows, 6), others (rows, agents, 7), mask (rows, agents) -> value (rows)')
+    print(
+        f'{path}: robot (rows, 6), others (rows, agents, 7), mask (rows, agents) -> value (rows)'
+    )

@@ -5,6 +5,7 @@ from typing import Annotated
 
 from socialnav_core.config.ranges import Range, require_allowed
 
+
 @dataclasses.dataclass(frozen=True)
 class DifferentialConfig:
     """The base where nobody hands its limits over, and the lattice of its speeds and turns."""

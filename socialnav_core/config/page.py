@@ -29,7 +29,11 @@ SECTIONS = {
     'Scenario': ('A world: `scenario` in a config, files of scenarios.', 'scenario', Scenario),
     'Training': ('What `socialnav train` reads: the scenario, and', '', Config),
     'Prediction': ('What `socialnav train-prediction` reads.', '', PredictionConfig),
-    'Planner': ('What `socialnav train-planner` reads: the search, as below, and', '', PlannerConfig),
+    'Planner': (
+        'What `socialnav train-planner` reads: the search, as below, and',
+        '',
+        PlannerConfig,
+    ),
     'Search': ('The policy `search`.', 'policy', SearchConfig),
 }
 """Title, what is below it, dotted path and dataclass of each table."""

@@ -21,7 +21,7 @@ def export_network(network: nn.Module, path: Path) -> None:
     """
     Write a value network; the file is replaced at once or not at all.
 
-    It maps robot (rows, 6) and others (rows, agents, 7), float32, and mask (rows, agents), bool, to
+    It maps robot (rows, 6), others (rows, agents, 7), float32, and mask (rows, agents), bool, to
     value (rows,), for any number of rows and agents.
 
     :param network: in evaluation mode, on the CPU.
