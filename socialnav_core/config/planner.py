@@ -13,15 +13,15 @@ from socialnav_core.config.training import LARGEST_SEED
 class PlannerTrainingConfig:
     """Value learning under the search: it drives, what followed is learned, it drives by that."""
 
-    rounds: Annotated[int, Range(1, 1000)] = 4
+    rounds: Annotated[int, Range(1, 1000)] = 3
     """Times that it drives and learns."""
-    groups: Annotated[int, Range(1, 100_000)] = 64
+    groups: Annotated[int, Range(1, 100_000)] = 56
     """Worlds that are drawn anew in each round."""
     episodes: Annotated[int, Range(1, 4096)] = 24
     """Episodes in each of them."""
-    validation_groups: Annotated[int, Range(1, 100_000)] = 24
+    validation_groups: Annotated[int, Range(1, 100_000)] = 20
     """Worlds of the validation split that each round is measured in, without exploration."""
-    named_share: Annotated[float, Range(0, 1)] = 0.5
+    named_share: Annotated[float, Range(0, 1)] = 0.6
     """Share of the worlds that are named scenarios; the others are drawn at random."""
     exploration: Annotated[float, Range(0, 100)] = 0.15
     """Standard deviation of a random preference for some direction at the horizon, s/m."""
@@ -30,7 +30,7 @@ class PlannerTrainingConfig:
     intrusion: Annotated[float, Range(0, 1000)] = 1.0
     """Cost of a second nearer to somebody than the comfort distance of the search, s."""
     collision: Annotated[float, Range(0, 1000)] = 8.0
-    """Cost of a collision, s."""
+    """Cost of a collision besides the rest of the way, s."""
     largest_cost: Annotated[float, Range(0.01, 1000)] = 10.0
     """Costs beyond the way to the goal are cut to this, s."""
     updates: Annotated[int, Range(1, 10_000_000)] = 2500

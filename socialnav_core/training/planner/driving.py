@@ -51,6 +51,8 @@ class Drive(NamedTuple):
     """When each ended, s, (episodes,)."""
     intrusion: np.ndarray
     """Time nearer to somebody than the comfort distance, s, (episodes,)."""
+    lost: np.ndarray
+    """Costs beyond the time that the way takes where nobody is in it, s, (episodes,)."""
 
 
 class Preference:
@@ -104,6 +106,7 @@ def drive(
     simulator = Simulator(scenario, len(cases), autoreset='disabled')
     state = simulator.reset(seed, split, cases)
     policy.reset()
+    least = remaining_time(policy, state)
     ahead = max(1, round(policy.times[-1] / scenario.time_step))
     expected: collections.deque = collections.deque(maxlen=ahead)
     seen: list[tuple[Observation, np.ndarray, np.ndarray, int]] = []
@@ -124,9 +127,19 @@ def drive(
         ended = active & (info['outcome'] != Outcome.NONE)
         outcome[ended], time[ended] = info['outcome'][ended], info['time'][ended]
         cost = scenario.time_step * (1.0 + settings.intrusion * close)
-        cost += settings.collision * (ended & np.isin(info['outcome'], COLLISIONS))
+        collided = ended & np.isin(info['outcome'], COLLISIONS)
+        if collided.any():  # the rest of the way is not saved but still to be driven
+            cost[collided] += settings.collision + remaining_time(policy, state)[collided]
         costs.append(cost * active)
-    return Drive(examples_of(seen, costs, outcome, settings), outcome, time, intrusion)
+    lost = np.sum(costs, axis=0) - least
+    return Drive(examples_of(seen, costs, outcome, settings), outcome, time, intrusion, lost)
+
+
+def remaining_time(policy: SearchPolicy, state: CrowdState) -> np.ndarray:
+    """Return the time that the ways to the goals take where nobody is in them, s, (batch,)."""
+    robot = state.robot
+    distance, _ = policy.ways_on(state, robot.position[:, None])
+    return policy.time_to_go(distance[:, 0], robot.preferred_speed)
 
 
 def example(

@@ -206,9 +206,8 @@ def measure(
     time_spent = np.concatenate([part.time for part in drives])
     intrusion = np.concatenate([part.intrusion for part in drives])
     success, collided = outcome == Outcome.GOAL, np.isin(outcome, COLLISIONS)
-    lost = settings.largest_cost * (outcome == Outcome.TIMEOUT)
-    cost = np.where(collided, 0.0, time_spent) + settings.collision * collided + lost
-    cost = cost + settings.intrusion * intrusion
+    lost = np.concatenate([part.lost for part in drives])
+    cost = np.where(outcome == Outcome.TIMEOUT, np.maximum(lost, settings.largest_cost), lost)
     return {
         'success_rate': float(success.mean()),
         'collision_rate': float(collided.mean()),

@@ -7,7 +7,7 @@ import numpy as np
 from socialnav_core.config import make_scenario, Scenario
 
 NAMED = ('crowd20', 'hard', 'packed-2.5', 'curriculum-2.5', 'simple')
-NAMED_SHARES = (0.4, 0.2, 0.15, 0.1, 0.15)
+NAMED_SHARES = (0.5, 0.2, 0.1, 0.05, 0.15)
 NON_REACTIVE_SHARE = 0.15
 WALLED_SHARE = 0.5
 
