@@ -8,7 +8,7 @@ from socialnav_core.commands.arguments import (
     add_cases_options,
     add_command,
     add_overwrite_option,
-    positive_number,
+    whole_number,
 )
 from socialnav_core.commands.choices import chosen_scenario, use_threads
 from socialnav_core.commands.evaluate import add_episodes_option
@@ -27,7 +27,7 @@ def add_parser(commands: Any) -> None:
     add_cases_options(parser)
     add_episodes_option(parser)
     parser.add_argument(
-        '--headings', type=positive_number, metavar='N', help='headings to choose from (64)'
+        '--headings', type=whole_number(3, 360), metavar='N', help='headings to choose from (64)'
     )
     parser.add_argument('--cell', type=float, metavar='M', help='side of the cells, m (0.0625)')
     parser.add_argument('--json', type=Path, metavar='FILE', help='write the times of all cases')

@@ -9,8 +9,9 @@ from socialnav_core.commands.arguments import (
     add_command,
     add_overwrite_option,
     add_threads_option,
+    EPISODES,
     MODEL_HELP,
-    positive_number,
+    whole_number,
 )
 from socialnav_core.commands.choices import use_threads
 from socialnav_core.commands.files import require_new, write_json
@@ -36,7 +37,7 @@ def add_parser(commands: Any) -> None:
     parser.add_argument('--quick', action='store_true', help='the same as --config quick')
     parser.add_argument(
         '--episodes',
-        type=positive_number,
+        type=whole_number(*EPISODES),
         metavar='N',
         help='cases of each world (as in the file)',
     )
