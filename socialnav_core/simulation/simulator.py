@@ -17,10 +17,10 @@ from socialnav_core.simulation.rewards import Outcome, reward_settings, step_out
 from socialnav_core.states import CrowdState
 
 NONE, TIMEOUT = int(Outcome.NONE), int(Outcome.TIMEOUT)  # arrays compare with plain numbers faster
+FASTEST = 1000.0
+"""No number of a command is larger, m/s or rad/s: such a robot would leave any world at once."""
 CROWD_PREFIX = 'crowd.'
 WORLDS = Range(1, 10_000_000)
-FASTEST = 1000.0
-"""Commands of more metres or radians per second than this are taken for mistakes."""
 AUTORESETS = ('same_step', 'disabled')
 LAYOUT_FIELDS = ('name', 'obstacle_radius_min', 'obstacle_radius_max', 'hardest_obstacle_ratio')
 
@@ -109,8 +109,8 @@ class Simulator:
         :param command: (vx, vy) in the world frame or (speed, turn rate), (batch, 2).
         :param duration: at most the scenario's time step, s; pedestrians decide only at multiples
             of the time step since the episode began.
-        :raises ValueError: for a command of another shape, one that is not finite or faster than
-            FASTEST, for another duration, or before the first `reset`.
+        :raises ValueError: for a command of another shape, or one that is not finite or absurd;
+            for another duration; before the first `reset`.
         """
         command = self._checked(command, duration)
         velocities, episodes, scenario = self._decide(), self._episodes, self.scenario
@@ -232,8 +232,12 @@ class Simulator:
         command = np.asarray(command, dtype=np.float64)
         if command.shape != (self.batch_size, 2):
             raise ValueError(f'command must be ({self.batch_size}, 2), not {command.shape}')
-        if not (np.abs(command[self._episodes.active]) <= FASTEST).all():  # nor not a number
-            raise ValueError(f'command is not finite or above {FASTEST:g} m/s')
+        given = np.abs(command[self._episodes.active])
+        if not (given <= FASTEST).all():
+            absurd = (
+                f'beyond {FASTEST:g} m/s or rad/s' if np.isfinite(given).all() else 'not finite'
+            )
+            raise ValueError(f'command is {absurd}')
         return command
 
     def _decide(self) -> np.ndarray:

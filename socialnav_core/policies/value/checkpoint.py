@@ -102,8 +102,9 @@ def read_config(path: Path, metadata: dict[str, str]) -> Config:
     :raises CheckpointError: when it is missing, altered or holds no config.
     """
     try:
+        values = read_yaml(path)
         with told_with_place(path, {}):
-            config = from_mapping(Config, read_yaml(path))
+            config = from_mapping(Config, values)
         text = path.read_bytes()
     except (OSError, ConfigError) as error:
         raise CheckpointError(f'not the config of a checkpoint: {error}') from error
