@@ -3,6 +3,7 @@
 import argparse
 from collections.abc import Iterator, Sequence
 import contextlib
+import errno
 from importlib.metadata import entry_points
 import os
 import signal
@@ -32,7 +33,6 @@ from socialnav_core.commands import (
 from socialnav_core.commands.arguments import CommandFailure, one_line, Parser
 from socialnav_core.config import ConfigError
 from socialnav_core.extras import MissingExtra
-from socialnav_core.storage import named_errors
 
 COMMANDS = (
     train, evaluate, compare, render, benchmark, models, metrics, scenarios, settings,
@@ -42,7 +42,8 @@ COMMANDS = (
 OTHERS = 'socialnav.commands'
 """Entry points of other packages: each the name of a module like those of COMMANDS."""
 
-OUTPUT = 'standard output'
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
+"""What the system says of a disk that takes no more."""
 FAILURE, USAGE, SIGNALLED = 1, 2, 128
 """Exit codes; that of a command ended by a signal is SIGNALLED and the signal's number."""
 SIGNALS = {int(signal.SIGINT): 'interrupted', int(signal.SIGTERM): 'terminated'}
@@ -59,8 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = build_parser().parse_args(arguments)
     os.environ.setdefault('OMP_NUM_THREADS', str(getattr(given, 'threads', 1)))
     try:
-        # errors of files name the files; printing, also on the way out, is what is left
-        with terminated_like_interrupted(), named_errors(OUTPUT):
+        with terminated_like_interrupted(), named_output():
             given.run(given)
             sys.stdout.flush()
     except ConfigError as error:
@@ -74,10 +74,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
         discard_output()
         return FAILURE
     except expected_failures() as error:
-        if getattr(error, 'filename', None) == OUTPUT:
-            discard_output()
         return complain(given, error, SIGNALLED + getattr(error, 'number', FAILURE - SIGNALLED))
     return 0
+
+
+@contextlib.contextmanager
+def named_output() -> Iterator[None]:
+    """Let the error of a full disk name standard output, since files name themselves."""
+    try:
+        yield
+    except OSError as error:
+        if error.filename is not None or error.errno not in FULL:
+            raise
+        discard_output()
+        raise OSError(error.errno, error.strerror, 'standard output') from error
 
 
 def discard_output() -> None:

@@ -134,12 +134,14 @@ def told_with_place(path: Path, assignments: Mapping[str, Any]) -> Iterator[None
 
 def line_of(path: Path, key: str) -> int | None:
     """Return the line of a file that sets a key, counted from 1; None where there is none."""
+    if not key:
+        return None
     try:
-        node = yaml.compose(path.read_text(encoding='utf-8'), SettingsLoader)
-    except (OSError, ValueError, yaml.YAMLError):
+        node = yaml.compose(read_text(path), SettingsLoader)
+    except (ConfigError, yaml.YAMLError):
         return None
     line = None
-    for section in key.split('.') if key else ():
+    for section in key.split('.'):
         pairs = node.value if isinstance(node, yaml.MappingNode) else ()
         found = [pair for pair in pairs if pair[0].value == section]
         if not found:

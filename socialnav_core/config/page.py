@@ -27,7 +27,7 @@ checkpoint. `.inf` is allowed where the range says so.
 """
 SECTIONS = {
     'Scenario': ('A world: `scenario` in a config, files of scenarios.', 'scenario', Scenario),
-    'Training': ('What `socialnav train` reads: the scenario, and', '', Config),
+    'Training': ('What `socialnav train` reads, besides the scenario.', '', Config),
     'Prediction': ('What `socialnav train-prediction` reads.', '', PredictionConfig),
     'Planner': (
         'What `socialnav train-planner` reads: the search, as below, and',

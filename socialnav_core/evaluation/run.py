@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from socialnav_core.allocator import keep_freed_memory
-from socialnav_core.config import require, Scenario
+from socialnav_core.config import Scenario
+from socialnav_core.config.ranges import Range, require_rule
 from socialnav_core.config.scenarios import changes_of
 from socialnav_core.evaluation.statistics import wilson_interval
 from socialnav_core.memory import evaluation_bytes, require_memory
@@ -32,6 +33,7 @@ from socialnav_core.simulation import Simulator
 from socialnav_core.simulation.kinematics import Limits, limits_of
 from socialnav_core.states import CrowdState
 
+EPISODES = Range(1, 100_000_000)
 BATCH_SIZE = 128
 """Worlds that are run side by side; the results do not depend on it."""
 
@@ -146,7 +148,7 @@ def evaluate(
                 policy, scenario, episodes, seed, split, batch_size, name, report, foresight
             )
     keep_freed_memory()
-    require(episodes >= 1, f'the number of episodes must be at least 1, not {episodes}')
+    require_rule(int, EPISODES, episodes, 'the number of episodes')
     require_same_kinematics(policy, scenario)
     actions = getattr(getattr(policy, 'config', None), 'actions', 1)
     needed = evaluation_bytes(episodes, min(batch_size, episodes), scenario, actions)

@@ -1,10 +1,11 @@
 """Prediction by constant velocity: the baseline, and what needs no history."""
 
 import dataclasses
+from typing import Annotated
 
 import numpy as np
 
-from socialnav_core.config import require
+from socialnav_core.config.ranges import Range, require_allowed
 from socialnav_core.prediction.protocol import Prediction
 from socialnav_core.states import CrowdState
 
@@ -20,23 +21,20 @@ class ConstantVelocity:
     knowledge = 'deployable'
     remembers = False
 
-    deviation: float = 0.03
+    deviation: Annotated[float, Range(1e-06, 10)] = 0.03
     """Standard deviation of a walker's position at once, m."""
-    deviation_growth: float = 0.12
+    deviation_growth: Annotated[float, Range(0, 10)] = 0.12
     """What is added to it in a second, m/s."""
-    standing_deviation: float = 0.03
+    standing_deviation: Annotated[float, Range(1e-06, 10)] = 0.03
     """Standard deviation of the position of whoever stands, m."""
-    static_deviation: float = 0.001
+    static_deviation: Annotated[float, Range(1e-06, 10)] = 0.001
     """Standard deviation of the position of an obstacle, m."""
-    standing_speed: float = 0.05
+    standing_speed: Annotated[float, Range(0, 10)] = 0.05
     """Below this speed somebody stands, m/s."""
 
     def __post_init__(self) -> None:
-        """Refuse deviations that are none."""
-        for field in dataclasses.fields(self):
-            require(getattr(self, field.name) >= 0, f'{field.name} must not be negative')
-        for name in ('deviation', 'standing_deviation', 'static_deviation'):
-            require(getattr(self, name) > 0, f'{name} must be positive')
+        """Refuse values out of range."""
+        require_allowed(self)
 
     def predict(self, state: CrowdState, times: np.ndarray) -> Prediction:
         """Return where the agents will be at some times ahead, s, (steps,)."""

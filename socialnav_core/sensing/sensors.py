@@ -1,9 +1,11 @@
 """A laser scanner and a detector of people, simulated with their faults."""
 
 import dataclasses
+from typing import Annotated
 
 import numpy as np
 
+from socialnav_core.config.ranges import Range, require_allowed
 from socialnav_core.sensing.ray_casting import beam_angles, cast_rays
 from socialnav_core.states import CrowdState
 
@@ -15,24 +17,32 @@ SCANNING, DETECTING = 0, 1
 class ScannerSettings:
     """A laser scanner at the centre of the robot that sees all around."""
 
-    beams: int = 360
+    beams: Annotated[int, Range(1, 100_000)] = 360
     """Number of beams, the first one pointing backwards."""
-    range: float = 10.0
+    range: Annotated[float, Range(0.01, 1000)] = 10.0
     """Longest range, m."""
-    noise: float = 0.0
+    noise: Annotated[float, Range(0, 10)] = 0.0
     """Standard deviation of a range, m."""
+
+    def __post_init__(self) -> None:
+        """Refuse values out of range."""
+        require_allowed(self)
 
 
 @dataclasses.dataclass(frozen=True)
 class DetectorSettings:
     """A detector of pedestrians that knows neither who they are nor how fast they walk."""
 
-    noise: float = 0.0
+    noise: Annotated[float, Range(0, 10)] = 0.0
     """Standard deviation of a position along each axis, m."""
-    missed: float = 0.0
+    missed: Annotated[float, Range(0, 1)] = 0.0
     """Probability that a pedestrian is missed."""
     occlusion: bool = False
     """Whether only pedestrians whom some beam of the scanner reaches are detected."""
+
+    def __post_init__(self) -> None:
+        """Refuse values out of range."""
+        require_allowed(self)
 
 
 class Sensors:

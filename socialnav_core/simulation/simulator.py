@@ -18,10 +18,10 @@ from socialnav_core.simulation.rewards import Outcome, reward_settings, step_out
 from socialnav_core.states import CrowdState
 
 NONE, TIMEOUT = int(Outcome.NONE), int(Outcome.TIMEOUT)  # arrays compare with plain numbers faster
+FASTEST = 1000.0
+"""No number of a command is larger, m/s or rad/s: such a robot would leave any world at once."""
 CROWD_PREFIX = 'crowd.'
 WORLDS = Range(1, 10_000_000)
-FASTEST = 1000.0
-"""Commands of more metres or radians per second than this are taken for mistakes."""
 AUTORESETS = ('same_step', 'disabled')
 LAYOUT_FIELDS = ('name', 'obstacle_radius_min', 'obstacle_radius_max', 'hardest_obstacle_ratio')
 
@@ -112,8 +112,8 @@ class Simulator:
             follows it as far as the scenario's limits allow.
         :param duration: at most the scenario's time step, s; pedestrians decide only at multiples
             of the time step since the episode began.
-        :raises ValueError: for a command of another shape, one that is not finite or faster than
-            FASTEST, for another duration, or before the first `reset`.
+        :raises ValueError: for a command of another shape, or one that is not finite or absurd;
+            for another duration; before the first `reset`.
         """
         command = self._executable(self._checked(command, duration), duration)
         velocities, episodes, scenario = self._decide(), self._episodes, self.scenario

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from socialnav_core.config import ConfigError
-from socialnav_core.evaluation import evaluate
+from socialnav_core.evaluation import compare, evaluate
 from socialnav_core.metrics import intrusions
 from socialnav_core.policies import OrcaPolicy, StraightLinePolicy
 from socialnav_core.simulation import make_scenario, Simulator
@@ -104,5 +104,20 @@ def test_a_policy_of_another_drive_is_refused():
 
 
 def test_no_episodes_are_refused():
-    with pytest.raises(ConfigError, match='at least 1'):
+    with pytest.raises(ConfigError, match='must lie in'):
         evaluate(StraightLinePolicy(), HARD, 0)
+
+
+@pytest.mark.parametrize('episodes', [0, -1, 1.5, 10**12])
+def test_a_number_of_cases_that_is_none_is_refused(episodes):
+    with pytest.raises(ConfigError, match='number of episodes'):
+        evaluate(OrcaPolicy(), make_scenario('simple'), episodes)
+
+
+def test_results_of_a_changed_world_say_what_was_changed():
+    changed = dataclasses.replace(make_scenario('simple'), pedestrians=1)
+    result = evaluate(StraightLinePolicy(), changed, 2)
+    assert result.scenario == 'simple' and result.changes == {'pedestrians': 1}
+    plain = evaluate(StraightLinePolicy(), make_scenario('simple'), 2)
+    with pytest.raises(ConfigError, match='same cases'):
+        compare([result, plain])

@@ -165,3 +165,17 @@ def test_equal_models_are_equal_files(tmp_path):
         files = [path.read_bytes() for path in tmp_path.glob(name)]
         assert len(files) == 5 and len(set(files)) == 1
     assert to_yaml(load_checkpoint(tmp_path / 'first').config) == to_yaml(config)
+
+
+@pytest.mark.parametrize('model', sorted(KINDS))
+@pytest.mark.timeout(60)
+def test_what_might_never_end_is_not_read(model, tmp_path):
+    weights, load_model = KINDS[model]
+    for name in (weights, 'config.yaml'):
+        for number, make in enumerate((os.mkfifo, lambda path: path.symlink_to('/dev/zero'))):
+            folder = tmp_path / f'{name}-{number}'
+            shutil.copytree(MODELS / model, folder)
+            (folder / name).unlink()
+            make(folder / name)
+            with pytest.raises(CheckpointError, match='no file|no such file'):
+                load_model(folder)

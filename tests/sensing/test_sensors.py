@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from socialnav_core.config import ConfigError
 from socialnav_core.sensing import DetectorSettings, ScannerSettings, Sensors
 from socialnav_core.simulation import make_scenario, Simulator
 
@@ -83,3 +84,13 @@ def test_a_scan_does_not_change_what_is_detected():
     alone, both = sensors(*faults), sensors(*faults)
     both.scan(state)
     np.testing.assert_array_equal(alone.detect(state), both.detect(state))
+
+
+@pytest.mark.parametrize(
+    'faults', [{'noise': -1.0}, {'noise': np.nan}, {'beams': 0}, {'range': np.inf}]
+)
+def test_a_scanner_that_cannot_be_is_refused(faults):
+    with pytest.raises(ConfigError, match=next(iter(faults))):
+        ScannerSettings(**faults)
+    with pytest.raises(ConfigError, match='missed'):
+        DetectorSettings(missed=1.5)

@@ -132,8 +132,9 @@ def read_config(path: Path, metadata: dict[str, str], kind: type[Settings]) -> S
     :raises CheckpointError: when it is missing, altered or holds no such config.
     """
     try:
+        values = read_yaml(path)
         with told_with_place(path, {}):
-            config = from_mapping(kind, read_yaml(path))
+            config = from_mapping(kind, values)
         text = path.read_bytes()
     except (OSError, ConfigError) as error:
         raise CheckpointError(f'not the config of a checkpoint: {error}') from error

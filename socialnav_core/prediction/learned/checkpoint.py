@@ -80,8 +80,9 @@ def load_weights(folder: Path) -> tuple[dict[str, np.ndarray], PredictionConfig]
             metadata = file.metadata() or {}
             names = file.keys()  # the file itself cannot be iterated over
             weights = {name: file.get_tensor(name) for name in names}
+        values = read_yaml(folder / CONFIG)
         with told_with_place(folder / CONFIG, {}):
-            config = from_mapping(PredictionConfig, read_yaml(folder / CONFIG))
+            config = from_mapping(PredictionConfig, values)
         text = (folder / CONFIG).read_bytes()
     except (SafetensorError, ConfigError, *UNREADABLE) as error:
         raise CheckpointError(f'{folder} holds no learned prediction: {error}') from error

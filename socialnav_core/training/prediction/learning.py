@@ -13,6 +13,7 @@ from socialnav_core.config.prediction import PredictionConfig, PredictionTrainin
 from socialnav_core.memory import prediction_bytes, require_memory
 from socialnav_core.prediction.learned.checkpoint import save_weights
 from socialnav_core.progress import progress_bar
+from socialnav_core.storage import named_errors
 from socialnav_core.threads import chosen_threads
 from socialnav_core.training.folder import finish_folder, own_folder
 from socialnav_core.training.interruption import Interruption, TrainingInterrupted
@@ -72,8 +73,9 @@ def run_in_folder(config: PredictionConfig, out: Path, resume: bool, progress: b
             rows = csv.DictWriter(file, COLUMNS)
             while not run.finished and not interruption.requested:
                 before, row = run.updates, iterate(run)
-                rows.writerow({name: f'{value:.6g}' for name, value in row.items()})
-                file.flush()
+                with named_errors(file.name):
+                    rows.writerow({name: f'{value:.6g}' for name, value in row.items()})
+                    file.flush()
                 save(run, out)
                 bar.set_postfix_str(f'error {row["error_1s"]:.3f} m after 1 s')
                 bar.update(run.updates - before)
