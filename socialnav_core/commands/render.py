@@ -12,7 +12,12 @@ from socialnav_core.commands.arguments import (
     MODEL_HELP,
     whole_number,
 )
-from socialnav_core.commands.choices import chosen_scenario, open_policy, use_threads
+from socialnav_core.commands.choices import (
+    chosen_scenario,
+    open_policy,
+    require_no_observation,
+    use_threads,
+)
 from socialnav_core.commands.files import require_new
 from socialnav_core.config import ConfigError, Scenario
 
@@ -61,6 +66,7 @@ def run(given: argparse.Namespace) -> None:
     for path in paths:
         require_format(path, BAG_FORMATS if path is given.bag else FORMATS)
         require_new(path, given)
+    require_no_observation(given)
     scenario = chosen_scenario(given)
     policy = rendered_policy(given, scenario)
     recording = record(policy, scenario, given.seed, given.case, given.split, name)

@@ -2,6 +2,7 @@
 
 from socialnav_core.config.bound import BoundConfig
 from socialnav_core.config.mapping import ConfigError, require, require_choice
+from socialnav_core.config.observation import ObservationConfig
 from socialnav_core.config.policy import PolicyConfig, ScreeningConfig
 from socialnav_core.config.reading import read_config
 from socialnav_core.config.scenario import CROWDS, KINEMATICS, OrcaConfig, RewardConfig, Scenario
@@ -22,6 +23,7 @@ __all__ = [
     'CurriculumConfig',
     'ImitationConfig',
     'KINEMATICS',
+    'ObservationConfig',
     'OrcaConfig',
     'PolicyConfig',
     'RewardConfig',
