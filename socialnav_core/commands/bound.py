@@ -10,7 +10,7 @@ from socialnav_core.commands.arguments import (
     add_overwrite_option,
     whole_number,
 )
-from socialnav_core.commands.choices import chosen_scenario, use_threads
+from socialnav_core.commands.choices import chosen_scenario, require_no_observation, use_threads
 from socialnav_core.commands.evaluate import add_episodes_option
 from socialnav_core.commands.files import require_new, write_json
 from socialnav_core.config import ConfigError
@@ -44,6 +44,7 @@ def run(given: argparse.Namespace) -> None:
     from socialnav_core.evaluation.bound import bounds_mapping, bounds_table
 
     require_new(given.json, given)
+    require_no_observation(given)
     scenario = chosen_scenario(given)
     wanted = {name: getattr(given, name) for name in ('headings', 'cell')}
     config = replace(

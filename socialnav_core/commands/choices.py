@@ -5,7 +5,13 @@ import os
 from pathlib import Path
 from typing import Any, TYPE_CHECKING
 
-from socialnav_core.config import ConfigError, make_scenario, read_scenario, Scenario
+from socialnav_core.config import (
+    ConfigError,
+    make_scenario,
+    ObservationConfig,
+    read_scenario,
+    Scenario,
+)
 from socialnav_core.config.mapping import parse_assignments, replace
 
 if TYPE_CHECKING:  # torch takes a second, which --help need not
@@ -13,7 +19,7 @@ if TYPE_CHECKING:  # torch takes a second, which --help need not
 
 ENDINGS = ('.yaml', '.yml')
 """Of files of scenarios; what holds a / is one too."""
-SECTIONS = ('scenario', 'policy')
+SECTIONS = ('scenario', 'policy', 'observation')
 
 
 def use_threads(given: argparse.Namespace) -> None:
@@ -54,9 +60,23 @@ def chosen_settings(given: argparse.Namespace) -> dict[str, dict[str, Any]]:
     for key, value in parse_assignments(given.assignments).items():
         section, _, name = key.partition('.')
         if section not in sections or not name:
-            raise ConfigError(f'unknown setting {key!r}; begin it with scenario. or policy.')
+            raise ConfigError(
+                f'unknown setting {key!r}; begin it with scenario., policy. or observation.'
+            )
         sections[section][name] = value
     return sections
+
+
+def chosen_observation(given: argparse.Namespace) -> ObservationConfig | None:
+    """Return how people are to be seen; None where they are seen as they are."""
+    chosen = chosen_settings(given)['observation']
+    return replace(ObservationConfig(), chosen, 'observation') if chosen else None
+
+
+def require_no_observation(given: argparse.Namespace) -> None:
+    """Raise a ConfigError where a command shows the world as it is and was asked for another."""
+    if chosen_settings(given)['observation']:
+        raise ConfigError(f'{given.command} has no observation: drop --set observation.')
 
 
 def open_policy(model: str, given: argparse.Namespace) -> 'Policy':

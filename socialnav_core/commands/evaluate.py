@@ -14,6 +14,7 @@ from socialnav_core.commands.arguments import (
     whole_number,
 )
 from socialnav_core.commands.choices import (
+    chosen_observation,
     chosen_overrides,
     chosen_scenario,
     open_policy,
@@ -36,6 +37,7 @@ sarl --scenario crowd20 --episodes 5000 --json out/crowd20.json
 models/sarl --scenario hard --metrics spl mean_jerk
 search --scenario hard --bound
 models/sarl --scenario hard --set scenario.time_limit=35 policy.headings=16
+search --scenario crowd20 --set observation.position_noise=0.05 observation.missed=0.1
 out/sarl --scenario simple --lookahead oracle --no-screening --card"""
 
 
@@ -118,6 +120,7 @@ def measure(model: str, policy: 'Policy', scenario: Scenario, given: argparse.Na
     result = evaluate(
         policy, scenario, given.episodes, given.seed, given.split, name=model, progress=True,
         foresight=bool({FORESEEN, EVERY} & set(given.further)),
+        observation=chosen_observation(given),
     )  # fmt: skip
     return with_bounds(result, scenario, progress=True) if given.bound else result
 

@@ -17,6 +17,7 @@ from socialnav_core.commands.choices import (
     chosen_scenario,
     is_file,
     open_policy,
+    require_no_observation,
     use_threads,
 )
 from socialnav_core.commands.files import require_new
@@ -68,6 +69,7 @@ def run(given: argparse.Namespace) -> None:
     for path in paths:
         require_format(path, BAG_FORMATS if path is given.bag else FORMATS)
         require_new(path, given)
+    require_no_observation(given)
     scenario = chosen_scenario(given)
     policy = rendered_policy(given, scenario)
     recording = record(policy, scenario, given.seed, given.case, given.split, name)

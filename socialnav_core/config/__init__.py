@@ -4,6 +4,7 @@ from socialnav_core.config.bound import BoundConfig
 from socialnav_core.config.differential import DifferentialConfig
 from socialnav_core.config.documents import read_yaml
 from socialnav_core.config.mapping import ConfigError, require, require_choice
+from socialnav_core.config.observation import ObservationConfig
 from socialnav_core.config.policy import PolicyConfig, ScreeningConfig
 from socialnav_core.config.reading import read_config
 from socialnav_core.config.scenario import CROWDS, KINEMATICS, OrcaConfig, RewardConfig, Scenario
@@ -30,6 +31,7 @@ __all__ = [
     'DifferentialConfig',
     'ImitationConfig',
     'KINEMATICS',
+    'ObservationConfig',
     'OrcaConfig',
     'PolicyConfig',
     'RewardConfig',

@@ -11,6 +11,7 @@ KINEMATICS = ('holonomic', 'differential')
 CROWDS = {
     'orca': 'people avoid each other and obstacles, each doing its share',
     'non_reactive': 'people walk straight to their goals and react to nobody',
+    'social_force': 'people push each other away, as in the social force model',
     'changing': 'as orca, but people change their goals, and new ones come for those who arrive',
 }
 """What moves the people, by the names of the files in simulation/crowds."""

@@ -1,6 +1,7 @@
 """A policy in every world of a grid, cell by cell, so that it can be stopped and goes on."""
 
 from collections.abc import Callable, Iterator
+import dataclasses
 import itertools
 from typing import Any
 
@@ -58,11 +59,12 @@ def cell_key(cell: Cell) -> tuple[Any, ...]:
 
 
 def run_cell(model: str, scenario: Scenario, config: GridConfig, bound: bool) -> Cell:
-    """Return the figures of a policy in one world, or that it cannot be packed."""
+    """Return the figures of a policy in one world, driven as it drives, or that it is too full."""
     settings = {
         name: getattr(scenario, name) for name in SHARED if has_setting(model, name)
     }  # fmt: skip
     policy = load_policy(model, **settings)
+    scenario = dataclasses.replace(scenario, kinematics=policy.description.kinematics)
     try:
         result = evaluate(policy, scenario, config.episodes, config.seed, config.split, name=model)
         if bound:

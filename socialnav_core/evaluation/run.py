@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 from socialnav_core.allocator import keep_freed_memory
-from socialnav_core.config import Scenario
+from socialnav_core.config import ObservationConfig, Scenario
 from socialnav_core.config.ranges import Range, require_rule
 from socialnav_core.config.scenarios import changes_of
+from socialnav_core.evaluation.observed import Observer
 from socialnav_core.evaluation.statistics import wilson_interval
 from socialnav_core.memory import evaluation_bytes, require_memory
 from socialnav_core.metrics import (
@@ -128,6 +129,7 @@ def evaluate(
     name: str = '',
     progress: Callable[[int], None] | bool = False,
     foresight: bool = False,
+    observation: ObservationConfig | None = None,
 ) -> EvaluationResult:
     """
     Run the cases 0 to episodes - 1, each exactly once.
@@ -139,14 +141,16 @@ def evaluate(
     :param progress: whether to say on stderr how it goes; or what to call instead, with the number
         of episodes that have just ended.
     :param foresight: whether to note where people would be some steps later, which takes time.
+    :param observation: how people are seen; None: as they are.
     :raises ConfigError: when the policy drives another kind of robot, or for no episodes.
     """
     if progress is True:
         with progress_bar(episodes, name or 'evaluation') as bar:
             report = bar.update
             return evaluate(
-                policy, scenario, episodes, seed, split, batch_size, name, report, foresight
-            )
+                policy, scenario, episodes, seed, split, batch_size, name, report, foresight,
+                observation,
+            )  # fmt: skip
     keep_freed_memory()
     require_rule(int, EPISODES, episodes, 'the number of episodes')
     require_same_kinematics(policy, scenario)
@@ -162,16 +166,19 @@ def evaluate(
         policy.predictor,
         lambda: simulator.next_agent_velocities()[asked_worlds(policy, simulator.active)],
     )
-    seconds = 0.0
+    observer = Observer(observation, scenario, seed) if observation else None
+    seconds, steps = 0.0, np.zeros(simulator.batch_size, np.int64)
     while (active := simulator.active).any():
+        seen = observer.see(state, simulator.case_index, steps) if observer else state
         started = time.perf_counter()
-        command = commands_where_active(policy, state, active, limits)
+        command = commands_where_active(policy, seen, active, limits)
         seconds += time.perf_counter() - started
         before = state
         foreseen = foreseen_distance(before, simulator) if foresight else None
         state, _, terminated, truncated, info = simulator.step(command)
         ended = np.flatnonzero(terminated | truncated)
         recorder.add(before, command, info, ended, foreseen)
+        steps = np.where(terminated | truncated, 0, info['steps'])
         if len(ended):
             policy.reset(ended)
             if callable(progress):

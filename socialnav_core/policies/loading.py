@@ -11,12 +11,14 @@ from torch import cuda
 from socialnav_core.config import ConfigError, PolicyConfig, require, SearchConfig
 from socialnav_core.config.mapping import flatten, replace, to_mapping
 from socialnav_core.places import MODELS
+from socialnav_core.policies.mppi import MppiConfig, MppiPolicy
 from socialnav_core.policies.orca import OrcaPolicy
 from socialnav_core.policies.protocol import Policy
 from socialnav_core.policies.search.checkpoint import load_planner, PLANNER, Planner
 from socialnav_core.policies.search.kinds import search_policy
 from socialnav_core.policies.search.search_policy import SearchPolicy
 from socialnav_core.policies.search.terminal import TerminalValue
+from socialnav_core.policies.social_force import SocialForcePolicy
 from socialnav_core.policies.straight_line import StraightLinePolicy
 from socialnav_core.policies.value.checkpoint import Checkpoint, load_checkpoint, WEIGHTS
 from socialnav_core.policies.value.lookahead import ValuePolicy
@@ -35,6 +37,8 @@ class WithoutNetwork:
 WITHOUT_NETWORK = {
     'orca': WithoutNetwork(OrcaPolicy()),
     'straight_line': WithoutNetwork(StraightLinePolicy()),
+    'social_force': WithoutNetwork(SocialForcePolicy()),
+    'mppi': WithoutNetwork(MppiConfig(), MppiPolicy),
     'search': WithoutNetwork(SearchConfig(), search_policy),
 }
 """Policies that need no checkpoint, by name."""

@@ -23,7 +23,9 @@ def draw_person(stream, speed, radius, i):  # type: ignore[no-untyped-def]
 
 
 @compiled
-def draw_place(stream, circle, robot, robot_radius, position, goal, radius, count, i, size):  # type: ignore[no-untyped-def]
+def draw_place(
+    stream, circle, robot, robot_radius, position, goal, radius, count, people, i, size
+):  # type: ignore[no-untyped-def]
     """
     Draw where a person of a size comes from, and the goal opposite; return whether there is room.
 
@@ -32,13 +34,14 @@ def draw_place(stream, circle, robot, robot_radius, position, goal, radius, coun
     :param position: of people, m, (agents, 2); that of person i is written.
     :param goal: m, (agents, 2); that of person i is written.
     :param radius: m, (agents,).
-    :param count: the first so many people are there and kept clear of.
+    :param count: the first so many people are there and kept clear of, and so are obstacles.
+    :param people: number of people; obstacles come behind them.
     """
     for _ in range(ATTEMPTS):
         angle = uniform(stream, 0.0, 2.0 * math.pi)
         x = circle * math.cos(angle) + uniform(stream, 0.0, OFFSET)
         y = circle * math.sin(angle) + uniform(stream, 0.0, OFFSET)
-        if is_free(x, y, robot, robot_radius, position, goal, radius, count, -1, size):
+        if is_free(x, y, robot, robot_radius, position, goal, radius, count, people, -1, size):
             position[i, 0], position[i, 1], goal[i, 0], goal[i, 1] = x, y, -x, -y
             return True
     return False
@@ -46,23 +49,25 @@ def draw_place(stream, circle, robot, robot_radius, position, goal, radius, coun
 
 @compiled
 def draw_other_goal(  # type: ignore[no-untyped-def]
-    stream, circle, robot, robot_radius, position, goal, radius, count, i, speed
+    stream, circle, robot, robot_radius, position, goal, radius, people, i, speed
 ):
     """Draw another goal for person i; return whether there is room. See `draw_place`."""
     for _ in range(ATTEMPTS):
         angle = uniform(stream, 0.0, 2.0 * math.pi)
         x = circle * math.cos(angle) + speed * uniform(stream, -GOAL_NOISE, GOAL_NOISE)
         y = circle * math.sin(angle) + speed * uniform(stream, -GOAL_NOISE, GOAL_NOISE)
-        if is_free(x, y, robot, robot_radius, position, goal, radius, count, i, radius[i]):
+        if is_free(
+            x, y, robot, robot_radius, position, goal, radius, people, people, i, radius[i]
+        ):
             goal[i, 0], goal[i, 1] = x, y
             return True
     return False
 
 
 @compiled
-def is_free(x, y, robot, robot_radius, position, goal, radius, count, but, size):  # type: ignore[no-untyped-def]
+def is_free(x, y, robot, robot_radius, position, goal, radius, count, people, but, size):  # type: ignore[no-untyped-def]
     """
-    Return whether a place is clear of the robot, of people and of all their goals.
+    Return whether a place is clear of the robot, of people, of all their goals and of obstacles.
 
     :param but: person who does not count, -1 for none.
     """
@@ -71,10 +76,10 @@ def is_free(x, y, robot, robot_radius, position, goal, radius, count, but, size)
         return False
     if (x - robot[2]) ** 2 + (y - robot[3]) ** 2 < keep:
         return False
-    for j in range(count):
-        keep = (size + radius[j] + GAP) ** 2
-        if j == but:
+    for j in range(radius.size):
+        if j == but or count <= j < people:
             continue
+        keep = (size + radius[j] + GAP) ** 2
         if (x - position[j, 0]) ** 2 + (y - position[j, 1]) ** 2 < keep:
             return False
         if (x - goal[j, 0]) ** 2 + (y - goal[j, 1]) ** 2 < keep:

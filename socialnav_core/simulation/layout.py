@@ -174,7 +174,7 @@ def sample_newcomers(stream, settings, layout):  # type: ignore[no-untyped-def]
             draw_person(stream, layout.speed, layout.radius, i)
         if not draw_place(
             stream, settings.circle_radius, layout.robot, settings.robot_radius, layout.position,
-            layout.goal, layout.radius, i, i, layout.radius[i],
+            layout.goal, layout.radius, i, settings.pedestrians, i, layout.radius[i],
         ):  # fmt: skip
             return False
     return True

@@ -54,7 +54,13 @@ def test_a_slow_robot_has_more_time_and_a_world_without_walls_has_none():
 
 def test_a_policy_is_told_what_it_shares_with_its_world(monkeypatch):
     told = {}
-    monkeypatch.setattr(grid, 'load_policy', lambda model, **settings: told.update(settings))
+    asked = grid.load_policy
+
+    def load(model, **settings):
+        told.update(settings)
+        return asked(model, **settings)
+
+    monkeypatch.setattr(grid, 'load_policy', load)
     monkeypatch.setattr(grid, 'evaluate', None)
     world = dataclasses.replace(make_scenario('hard'), time_step=0.1, goal_tolerance=0.15)
     with pytest.raises(TypeError):

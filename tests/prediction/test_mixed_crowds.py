@@ -7,9 +7,9 @@ import pytest
 
 from socialnav_core.config import ConfigError
 from socialnav_core.config.prediction import CrowdMixture, CrowdsConfig, SHARES
+from socialnav_core.simulation.crowds.social_force_kernel import social_force_step
 from socialnav_core.training.prediction.crowds import draw_crowd, draw_kind, record
 from socialnav_core.training.prediction.dataset import record_crowds
-from socialnav_core.training.prediction.social_force import social_force_step
 
 SMALL = CrowdsConfig(groups=3, validation_groups=2, worlds=2, duration=5.0)
 

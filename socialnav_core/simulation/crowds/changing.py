@@ -36,7 +36,6 @@ def make_crowd(scenario: Scenario, batch_size: int) -> 'ChangingCrowd':
     :raises ConfigError: for a scenario in which it cannot live.
     """
     require(not scenario.robot_visible, 'the crowd changing does not see the robot')
-    require(scenario.obstacles == 0, 'the crowd changing knows no obstacles: set obstacles to 0')
     return ChangingCrowd(batch_size, scenario.pedestrians)
 
 
@@ -68,7 +67,7 @@ class ChangingCrowd:
             radius=agents.radius + (RADIUS_PADDING + orca.safety_space),
             max_speed=episodes.preferred_speed,
             valid=agents.valid,
-            responsibility=np.full_like(agents.radius, RECIPROCAL),
+            responsibility=np.where(agents.static, orca.static_responsibility, RECIPROCAL),
             neighbor_distance=self._reach,
         )
         foresight = Foresight(orca.max_neighbors, orca.time_horizon, scenario.time_step)
@@ -131,7 +130,9 @@ def _renew(  # type: ignore[no-untyped-def]
             old = sizes[i]
             draw_person(stream, speed[world], sizes, i)
             size, sizes[i] = sizes[i], old  # whoever leaves still takes up their own room
-            if not draw_place(stream, circle, me, own_radius, here, aims, sizes, people, i, size):
+            if not draw_place(
+                stream, circle, me, own_radius, here, aims, sizes, people, people, i, size
+            ):
                 return False
             sizes[i] = size
             velocity[world, i, 0] = velocity[world, i, 1] = 0.0

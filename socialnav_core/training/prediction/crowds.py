@@ -11,8 +11,8 @@ from socialnav_core.simulation.cases import Episodes
 from socialnav_core.simulation.crowds.goals import renew_goals, velocities_to_goals
 from socialnav_core.simulation.crowds.orca import RADIUS_PADDING, RECIPROCAL
 from socialnav_core.simulation.crowds.orca_kernel import Bodies, Foresight, orca_step
+from socialnav_core.simulation.crowds.social_force_kernel import social_force_step
 from socialnav_core.training.prediction.recording import Recording
-from socialnav_core.training.prediction.social_force import social_force_step
 
 NAMED = ('crowd20', 'hard', 'packed-2.5', 'curriculum-2.5', 'simple')
 TIME_STEPS = (0.1, 0.125, 0.2, 0.25)

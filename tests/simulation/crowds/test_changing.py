@@ -116,10 +116,17 @@ def test_intrusions_are_foreseen_only_where_that_is_asked_for():
     np.testing.assert_array_equal(plain.records.time, asked.records.time)
 
 
-@pytest.mark.parametrize('change', [{'robot_visible': True}, {'obstacles': 2}])
-def test_what_this_crowd_cannot_do_is_refused(change):
-    with pytest.raises(ConfigError, match='the crowd changing'):
-        Simulator(dataclasses.replace(WORLD, **change), 1)
+def test_people_who_are_to_see_the_robot_are_refused():
+    with pytest.raises(ConfigError, match='does not see the robot'):
+        Simulator(dataclasses.replace(WORLD, robot_visible=True), 1)
+
+
+def test_people_come_where_no_obstacle_is():
+    cluttered = dataclasses.replace(WORLD, obstacles=3, obstacle_radius_max=1.0)
+    agents = Simulator(cluttered, 30).reset().agents
+    people, things = agents.position[:, :20, None], agents.position[:, None, 20:]
+    keep = agents.radius[:, :20, None] + agents.radius[:, None, 20:] + GAP
+    assert (np.linalg.norm(people - things, axis=-1) >= keep).all()
 
 
 def test_there_is_no_bound_where_people_depend_on_the_robot():
