@@ -6,6 +6,7 @@ import signal
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from helpers.driving import Drive, drives_among_any_number
+from helpers.faults import FAULTS
 from helpers.graph import DEADLINE
 from helpers.managed import change_parameter
 from helpers.plans import plan_of
@@ -52,7 +53,7 @@ def test_a_signal_ends_the_policy_with_a_zero_command_as_the_last(graph, driving
     graph.kill(policy, number)
     graph.wait(lambda: policy.poll() is not None, 'end of the process')
     graph.spin(0.3)
-    assert policy.returncode == 0
+    assert policy.returncode == 0, FAULTS['signal'].does
     assert speed(commands[-1]) == 0.0 and commands[-1].angular.z == 0.0
 
 
