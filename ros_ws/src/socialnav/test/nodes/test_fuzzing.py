@@ -6,7 +6,7 @@ from helpers.fuzzed_simulator import FuzzedSimulator
 import numpy as np
 import pytest
 
-ROUNDS = 2
+ROUNDS = 1
 LONG_ROUNDS = 25
 GROWTH = 30.0
 """What the allocator may add to the memory after the first rounds, MB."""
