@@ -135,7 +135,8 @@ LIFE = {
         'the model is missing', 'not configured: no model', 'stands: the node is unconfigured'
     ),
     'impossible value': Fault(
-        'a parameter is set to what it cannot be', 'must be', 'keeps the present one'
+        'a parameter is set to what it cannot be', 'out of range',
+        'keeps the present one'
     ),
     'other node': Fault(
         'a parameter file is for another node', 'not for /policy_node', 'has the defaults'

@@ -189,7 +189,7 @@ def test_what_the_map_shows_is_no_longer_driven_into(graph):
     commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
     health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
     maps = graph.node.create_publisher(OccupancyGrid, 'map', qos.MAP)
-    graph.start('policy_node', model='orca', use_map=True)
+    graph.start('policy_node', model='orca', use_map=True, require_obstacles=False)
     robot, state = Robot(graph), random_state(0, pedestrians=0, obstacles=1)
     robot.wait()
     state.robot.heading[:], state.robot.velocity[:] = 0.0, 0.0
