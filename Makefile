@@ -40,11 +40,12 @@ bench: setup  ## speed, as ratios against a plain reference in the same run
 train: setup  ## train the default model from its config
 	.venv/bin/socialnav train socialnav_core/config/recipes/sarl.yaml --out out/sarl
 
-docs: build  ## regenerate the model cards, the pages of metrics and settings, and the tables of parameters in the nodes' README
+docs: build  ## regenerate the model cards, the pages of metrics, settings and faults, and the tables of parameters in the nodes' README
 	.venv/bin/socialnav models --cards
 	.venv/bin/socialnav metrics --markdown > docs/metrics.md
 	.venv/bin/socialnav settings > docs/settings.md
 	@$(RUN) python -m socialnav.parameters.readme ros_ws/src/socialnav/README.md
+	@$(RUN) cd ros_ws/src/socialnav/test && python -m helpers.faults $(CURDIR)/docs/faults.md
 
 clean:  ## remove what was installed and built; what was trained or written to out/ stays
 	rm -rf .venv ros_ws/build ros_ws/install ros_ws/log *.egg-info .mypy_cache .pytest_cache .ruff_cache

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 import os
 
-from rig import conditions, KINDS, Rig, usage
+from rig import conditions, KINDS, Rig, UNCHECKED, usage
 
 from socialnav.demo.children import running_nodes
 from socialnav.parameters import DEFAULT_MODEL
@@ -59,7 +59,7 @@ def policy_node(rig: Rig, options: argparse.Namespace, **parameters: object) -> 
     """
     rig.spin(TELLING)
     rig.commands.clear()
-    values = {'model': options.model, 'max_agents': MAX_AGENTS} | parameters
+    values = UNCHECKED | {'model': options.model, 'max_agents': MAX_AGENTS} | parameters
     with running_nodes({'policy_node': values}, os.environ) as nodes:
         yield nodes['policy_node'].pid
 

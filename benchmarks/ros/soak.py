@@ -12,7 +12,7 @@ import sys
 import time
 
 from latency import AGE, DELAY, TELLING
-from rig import conditions, memory, Rig
+from rig import conditions, memory, Rig, UNCHECKED
 
 from socialnav.demo.children import running_nodes
 from socialnav.parameters import DEFAULT_MODEL
@@ -39,7 +39,7 @@ def main() -> int:
     duration = 60 * options.minutes
     values = {'model': options.model, 'max_agents': AGENTS, 'controller_frequency': FREQUENCY}
     rig = Rig(AGENTS)
-    with running_nodes({'policy_node': values}, os.environ) as nodes:
+    with running_nodes({'policy_node': UNCHECKED | values}, os.environ) as nodes:
         rig.wait(rig.drives, 'motion')
         growth, missed = soak(rig, nodes['policy_node'].pid, duration)
     rig.close()

@@ -23,7 +23,7 @@ import sys
 import time
 
 import numpy as np
-from rig import conditions, KINDS, Rig
+from rig import conditions, KINDS, Rig, UNCHECKED
 
 from socialnav.demo.children import Nodes, running_nodes
 from socialnav_core.tables import markdown_table
@@ -35,7 +35,7 @@ LONGEST_PAUSE = 0.02
 ZEROS = 3
 """Zero commands in succession that are a stop; a single one may have been for another reason."""
 PEDESTRIANS = 5
-POLICY = {
+POLICY = UNCHECKED | {
     'input_timeout': INPUT_TIMEOUT,
     'controller_frequency': 1 / PERIOD,
     'model': 'straight_line',  # it never chooses to stand

@@ -1,6 +1,7 @@
 """What the graph tells of the nodes at the other ends of topics."""
 
 import contextlib
+from typing import Any
 
 from rclpy.node import Node
 from rclpy.publisher import Publisher
@@ -41,7 +42,8 @@ def concerns_of_input(node: Node, heard: Subscription, expected: bool) -> list[s
     :param expected: whether somebody should publish it all the time.
     """
     ends = node.get_publishers_info_by_topic(heard.topic_name)
-    wanted = f'{heard.msg_type.__module__.split(".")[0]}/msg/{heard.msg_type.__name__}'
+    kind: Any = heard.msg_type
+    wanted = f'{kind.__module__.split(".")[0]}/msg/{kind.__name__}'
     if not ends and expected:
         return [f'nobody publishes {heard.topic_name}']
     return sorted(

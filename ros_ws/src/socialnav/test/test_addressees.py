@@ -3,6 +3,7 @@
 from pathlib import Path
 import signal
 
+from helpers.faults import FAULTS
 import pytest
 import rclpy
 from rclpy.context import Context
@@ -71,4 +72,5 @@ def test_a_node_says_that_a_file_is_for_another_one(graph, tmp_path, node):
     graph.wait(lambda: node in graph.node.get_node_names(), 'node')
     graph.kill(process, signal.SIGTERM)
     errors = process.communicate()[1]
-    assert f'{path} is for /policy_nod, not for /{node}' in errors
+    said = FAULTS['other node'].said.replace('policy_node', node)
+    assert f'{path} is for /policy_nod, {said}' in errors

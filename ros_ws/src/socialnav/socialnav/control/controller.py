@@ -202,7 +202,7 @@ class Controller:
         moment = self._inputs.stamp('odom') if settings.lockstep else now
         if self._run.begins(goal, moment, 1.5 * settings.period if settings.lockstep else None):
             self.goal_reached = False
-            self.progress.begin()
+            self.progress.aim(state.robot.goal[0], self._steady(), settings)
             self._policy.reset()
         state.time[:] = self._run.time
         return self._with_map(state.nearest(settings.max_agents))
@@ -258,9 +258,7 @@ class Controller:
         :param command: that the policy chose, in the frame of the robot, (2,).
         """
         settings, robot, plan = self.settings, state.robot, self.plan
-        straight = float(np.linalg.norm(robot.goal[0] - robot.position[0]))
-        way = straight if plan.way is None else plan.way
-        self.progress.look(robot.position[0], way, plan.followed, settings)
+        self.progress.look(robot.position[0], robot.goal[0], plan.followed, plan.way, settings)
         speeds = kinematics_of(settings.kinematics).twist(command)[:2]
         self.progress.choose(float(np.hypot(*speeds)), settings)
 

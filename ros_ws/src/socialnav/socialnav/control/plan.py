@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from socialnav.messages.conversions import ConversionError, finite, placement_of
+from socialnav.messages.conversions import ConversionError, finite, placement_of, quoted
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.paths import ReadPath
 
@@ -77,7 +77,7 @@ def plan_points(
     if count > MOST_POSES:
         raise ConversionError(f'plan: {count} poses, more than {MOST_POSES}')
     if plan.frame not in ('', plan.header.frame_id):
-        raise ConversionError(f'plan: a pose in another frame, {plan.frame!r}')
+        raise ConversionError(f'plan: a pose in another frame, {quoted(plan.frame)}')
     if not count:
         raise ConversionError('plan: empty')
     placement = placement_of('plan', plan.header, frame, locate, newest=True)

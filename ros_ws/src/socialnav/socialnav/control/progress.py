@@ -13,51 +13,76 @@ ASTRAY = 'the robot moves, but not towards the goal'
 STANDSTILL = 0.01
 """A policy that chooses less chooses to stand, m/s."""
 WAITED = 5.0
-"""Time of choosing to stand after which the way was closed, so that it is free afterwards, s."""
+"""
+Time of choosing to stand after which the way was closed, so that it is free afterwards; and time
+without a goal after which the next one is meant as another, wherever it is, s.
+"""
 
 
 class ProgressCheck:
     """
     Counts the time of driving since the robot last came nearer to its goal.
 
-    Nearer is by way: along the plan where one is followed, else straight to the goal. A way that
-    is measured anew, along another plan, is no progress. Only decisions count as time, so that a
-    robot that stands for a reason of its own, or a clock that jumps, makes no difference.
+    Nearer is by way: along the plan where one is followed, else straight to the goal. What changes
+    the way while the robot stands, another plan or a goal that moves, neither gives nor takes.
+    Only decisions count as time, so that a robot that stands for a reason of its own, or a clock
+    that jumps, makes no difference.
     """
 
     def __init__(self) -> None:
+        self._aimed = -np.inf
+        self._target: np.ndarray | None = None
         self.begin()
 
     def begin(self) -> None:
-        """Begin a run, with all the time that it may have."""
+        """Begin anew, with all the time that there is."""
         self.complaint: str | None = None
         self.stopped = False
-        self.idle = self._stood = self._driven = 0.0
-        self._place = self._origin = np.zeros(2)
+        self.idle = self._stood = self._driven = self._way = 0.0
+        self._place = self._origin = self._goal = np.zeros(2)
         self._best: float | None = None
-        self._measure: Any = None
+        self._plan: Any = None
+
+    def aim(self, goal: np.ndarray, moment: float, settings: PolicyParameters) -> None:
+        """
+        Hear of a goal: begin anew, unless it is said again and again or follows something.
+
+        :param goal: m, (2,).
+        :param moment: on a clock that always runs, s.
+        """
+        elsewhere = self._target is None or distance(goal, self._target) >= (
+            settings.progress_distance
+        )
+        if moment - self._aimed >= WAITED or (self.stopped and elsewhere):
+            self.begin()
+        self._aimed = moment
+        if not self.stopped:
+            self._target = goal
 
     def look(
-        self, place: np.ndarray, way: float, measure: Any, settings: PolicyParameters
-    ) -> None:
+        self, place: np.ndarray, goal: np.ndarray, plan: Any, left: float | None,
+        settings: PolicyParameters,
+    ) -> None:  # fmt: skip
         """
         See where the robot is; note it where it has come nearer.
 
         :param place: of the robot, m, (2,).
-        :param way: left to the goal, m.
-        :param measure: what the way is measured along: a plan, or None.
+        :param goal: m, (2,).
+        :param plan: that is followed, or None.
+        :param left: of the plan, m, or None.
         """
+        way = distance(goal, place) if left is None else left
         if self._best is None:
-            self._origin, self._best, self._measure = place, way, measure
-        if measure is not self._measure:
-            both_are_plans = measure is not None and self._measure is not None
-            self._best = max(self._best, way) if both_are_plans else way
+            self._origin, self._best = place, way
+        elif plan is not self._plan or (plan is None and (goal != self._goal).any()):
+            straight = plan is None and self._plan is None
+            self._best += way - (distance(self._goal, place) if straight else self._way)
         near = settings.progress_distance
-        self._place, self._measure = place, measure
+        self._place, self._goal, self._plan, self._way = place, goal, plan, way
         if self._moved() >= near and self._best - way >= near and not self.stopped:
             self.begin()
             self._place = self._origin = place
-            self._best, self._measure = way, measure
+            self._goal, self._plan, self._way, self._best = goal, plan, way, way
 
     def choose(self, speed: float, settings: PolicyParameters) -> None:
         """
@@ -84,7 +109,8 @@ class ProgressCheck:
         if self._moved() >= near:
             cause = ASTRAY
         else:
-            cause = STANDS if self._driven < near / 2 else HELD
+            stood = self._stood >= self.idle / 2 or self._driven < near / 2
+            cause = STANDS if stood else HELD
         limit = settings.progress_stop_timeout if self.stopped else settings.progress_timeout
         lack = f'not {near:g} m nearer to the goal in {limit:g} s of driving'
         end = f'; {GIVEN_UP}' if self.stopped else ''
@@ -92,9 +118,14 @@ class ProgressCheck:
 
     def _moved(self) -> float:
         """Return how far the robot is from where it last made progress, m."""
-        return float(np.hypot(*(self._place - self._origin)))
+        return distance(self._place, self._origin)
 
 
 def over(time: float, limit: float) -> bool:
     """Return whether a time is as long as a limit, s; a limit of 0 is none."""
     return 0 < limit <= time + 1e-9
+
+
+def distance(one: np.ndarray, other: np.ndarray) -> float:
+    """Return how far apart two places are, m."""
+    return float(np.hypot(*(one - other)))

@@ -15,6 +15,10 @@ from socialnav_core.simulation.kinematics.angles import rotated
 from socialnav_core.states import Agents, CrowdState, Robot
 from socialnav_msgs.msg import AgentStates
 
+LONGEST_QUOTE = 60
+"""Letters of a foreign text that are logged."""
+LONGEST_REASON = 200
+"""Letters of a reason of tf2, which may quote frames itself."""
 LARGEST = 1e9
 """No number of a message is larger, m or m/s: squares of such numbers are numbers too."""
 
@@ -125,7 +129,7 @@ def twist_stands(odometry: Odometry, base_frame: str) -> bool:
     if frame == odometry.header.frame_id:
         return True
     known = f'the robot is {base_frame!r} (base_frame)'
-    raise ConversionError(f'odom: the twist is in child_frame_id {frame!r}, but {known}')
+    raise ConversionError(f'odom: the twist is in child_frame_id {quoted(frame)}, but {known}')
 
 
 def goal_array(goal: PoseStamped, frame: str, locate: Locate = not_asked) -> np.ndarray:
@@ -180,8 +184,13 @@ def placement_of(
     try:
         return locate(frame, header.frame_id, 0 if newest else nanoseconds_of(header.stamp))
     except LookupError as error:
-        text = f'{name}: in frame {header.frame_id!r}, but {error}'
+        text = f'{name}: in frame {quoted(header.frame_id)}, but {str(error)[:LONGEST_REASON]}'
         raise ConversionError(text) from error
+
+
+def quoted(text: str) -> str:
+    """Return a text of somebody else as it is logged: on one line, and not longer than that."""
+    return repr(text if len(text) <= LONGEST_QUOTE else f'{text[:LONGEST_QUOTE]}...')
 
 
 def finite(name: str, quantity: str, numbers: list | np.ndarray) -> np.ndarray:

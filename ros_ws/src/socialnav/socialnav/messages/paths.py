@@ -87,10 +87,12 @@ def poses_at(body: memoryview, offset: int, count: int, order: str) -> tuple[np.
     place = aligned(STAMP + len(named), 8)
     if start + (count - 1) * (place + POSE) > len(body):
         return np.zeros((0, 2)), MIXED
-    rows = np.ndarray((count - 1, place + POSE), np.uint8, body, start)
+    rows: np.ndarray = np.ndarray((count - 1, place + POSE), np.uint8, body, start)
     if (rows[:, STAMP : STAMP + len(named)] != np.frombuffer(named, np.uint8)).any():
         return np.zeros((0, 2)), MIXED
-    numbers = np.ndarray((count - 1, 2), order + 'f8', body, start + place, (place + POSE, 8))
+    numbers: np.ndarray = np.ndarray(
+        (count - 1, 2), order + 'f8', body, start + place, (place + POSE, 8)
+    )
     points[1:] = numbers
     return points, frame
 

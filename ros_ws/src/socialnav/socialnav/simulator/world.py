@@ -12,6 +12,8 @@ from socialnav_core.simulation.kinematics import kinematics_of
 BREAK = 10**9
 """Simulated time between two episodes, ns: longer than any step, so that a listener sees it."""
 TIME_TOLERANCE = 1e-9
+CASES = 2**32
+"""Number of cases of a seed; the first one follows the last."""
 
 
 class World:
@@ -95,7 +97,7 @@ class World:
         if self.standing:
             return
         if self.episode is not None:
-            self._start(self.episode.case_index + 1)
+            self._start((self.episode.case_index + 1) % CASES)
             return
         while duration > TIME_TOLERANCE and self.episode is None:
             piece = min(duration, self._until_decision())

@@ -16,14 +16,16 @@ QUICK = dataclasses.replace(
 )
 
 
-def watch(check, decisions, speed=1.0, gain=0.0, way=9.0, measure=None, place=(0.0, 0.0)):
-    """Let a robot decide; it comes nearer by so much each time, m; return what is left."""
-    place = np.array(place)
+GOAL = np.array([9.0, 0.0])
+
+
+def watch(check, decisions, speed=1.0, gain=0.0, place=0.0, goal=GOAL, plan=None, left=None):
+    """Let a robot decide; it comes nearer by so much each time, m; return where it is, m."""
     for _ in range(decisions):
-        check.look(place, way, measure, QUICK)
+        check.look(np.array([place, 0.0]), np.array(goal), plan, left, QUICK)
         check.choose(speed, QUICK)
-        way, place = way - gain, place + (gain, 0.0)
-    return way
+        place, left = place + gain, None if left is None else left - gain
+    return place
 
 
 @pytest.mark.parametrize(('speed', 'cause'), [(1.0, HELD), (0.0, STANDS)])
@@ -39,8 +41,7 @@ def test_what_is_wrong_is_said_after_the_first_limit_and_the_second_one_stops(sp
 
 def test_a_robot_that_moves_but_not_nearer_has_no_progress():
     check = ProgressCheck()
-    for number in range(30):
-        watch(check, 1, way=9.0 + 0.1 * number, place=(-0.1 * number, 0.0))
+    watch(check, 31, gain=-0.1)
     assert ASTRAY in check.complaint and check.stopped
 
 
@@ -53,27 +54,58 @@ def test_coming_nearer_by_the_distance_ends_what_was_said():
 
 
 def test_a_robot_that_comes_nearer_slowly_but_soon_enough_never_complains():
-    check = ProgressCheck()
-    way = 9.0
-    for _ in range(16):
-        way = watch(check, 10, gain=0.06, way=way, place=(9.0 - way, 0.0))
+    check, place = ProgressCheck(), 0.0
+    for _ in range(140):
+        place = watch(check, 1, gain=0.06, place=place)
         assert check.complaint is None
 
 
 def test_another_plan_is_no_progress_however_short_it_is():
     check = ProgressCheck()
-    for number in range(30):
-        watch(check, 1, way=9.0 - 2.0 * (number % 2), measure=number % 3 or None)
+    for number in range(31):
+        watch(check, 1, plan=number % 3 or None, left=9.0 - 2.0 * (number % 2))
     assert check.stopped
 
 
-def test_a_longer_plan_is_measured_from_its_own_beginning():
+def test_a_longer_plan_takes_nothing_from_what_was_gained():
+    check, place = ProgressCheck(), 0.0
+    for number in range(60):
+        left = 30.0 - 0.1 * number + 5.0 * (number // 10)
+        place = watch(check, 1, gain=0.1, place=place, plan=number // 10, left=left)
+        assert check.complaint is None
+
+
+@pytest.mark.parametrize(('gain', 'complains'), [(0.1, False), (0.0, True)])
+def test_a_robot_that_follows_a_goal_that_moves_has_progress_where_it_moves(gain, complains):
+    check, place = ProgressCheck(), 0.0
+    for number in range(30):
+        goal = [9.0 + 0.1 * number, 0.0]
+        check.aim(np.array(goal), 0.1 * number, QUICK)
+        place = watch(check, 1, gain=gain, place=place, goal=goal)
+        assert complains or check.complaint is None
+    assert check.stopped == complains
+
+
+def test_a_goal_that_is_said_again_and_again_gives_no_time_and_one_after_a_pause_does():
     check = ProgressCheck()
-    watch(check, 8, measure='short')
-    way = watch(check, 8, gain=0.2, way=15.0, measure='long')
-    assert check.complaint is None
-    watch(check, 1, way=way, measure='long', place=(1.6, 0.0))
-    assert check.idle < 1.0
+    for number in range(40):
+        check.aim(GOAL, 0.1 * number, QUICK)
+        watch(check, 1)
+    assert check.stopped
+    check.aim(GOAL, 4.0, QUICK)
+    assert check.stopped
+    check.aim(GOAL, 20.0, QUICK)
+    assert not check.stopped and check.complaint is None
+
+
+def test_a_goal_elsewhere_ends_a_stop_at_once():
+    check = ProgressCheck()
+    check.aim(GOAL, 0.0, QUICK)
+    watch(check, 40)
+    check.aim(GOAL + (0.1, 0.0), 4.0, QUICK)
+    assert check.stopped
+    check.aim(GOAL + (0.6, 0.0), 4.1, QUICK)
+    assert not check.stopped
 
 
 def test_a_robot_that_was_stopped_goes_on_where_the_way_was_closed_and_is_free():

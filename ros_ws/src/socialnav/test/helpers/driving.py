@@ -6,6 +6,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Twist
 
 from helpers import stops
+from helpers.faults import FAULTS
 from helpers.robot import Robot, speed
 from helpers.worlds import random_state
 from socialnav import qos
@@ -61,6 +62,21 @@ class Drive:
         began, self.stopped = time.monotonic(), None
         self.until(False, reason, state, what, **options)
         stops.note(what, self.stopped - began, within)
+
+    def shows(self, name, state, **options):
+        """Wait until the robot stands as the table of faults says; it must be soon enough."""
+        fault = FAULTS[name]
+        self.stands(fault.said, state, fault.what, fault.within, **options)
+
+    def says(self, name, state, **options):
+        """Wait until what the table of faults has is said of a robot that drives."""
+
+        def told():
+            self.robot.publish(state, **options)
+            self.graph.spin(0.05)
+            return self.health and FAULTS[name].said in self.health[-1].status[0].message
+
+        self.graph.wait(told, FAULTS[name].said)
 
 
 def drives_among_any_number(drive):

@@ -1,5 +1,6 @@
 """The policy node under fire."""
 
+import pathlib
 import time
 
 from geometry_msgs.msg import PoseStamped, Twist
@@ -8,13 +9,14 @@ from nav_msgs.msg import OccupancyGrid, Path
 import numpy as np
 from std_srvs.srv import Trigger
 
-from helpers.fuzzing import hostile_value, Target
+from helpers.fuzzing import hostile_value, LIFETIME, Target
 from helpers.graph import Graph, UNSEEN_MATCH
 from helpers.hostile import Hostile
 from helpers.plans import plan_of
 from helpers.robot import KINDS, Robot, speed
 from helpers.worlds import messages_of, random_state
 from socialnav import qos
+from socialnav.demo.children import command_line
 from socialnav.messages.occupancy import map_message
 from socialnav.parameters.fields import entries
 from socialnav.parameters.policy import PolicyParameters
@@ -36,8 +38,12 @@ POSES = 100_000
 class FuzzedPolicy:
     """Shoots at a policy node for a while, and looks what it does."""
 
-    def __init__(self, graph: Graph, seed: int) -> None:
-        """Start the node."""
+    def __init__(self, graph: Graph, seed: int, log: pathlib.Path) -> None:
+        """
+        Start the node.
+
+        :param log: file for its errors.
+        """
         self.graph, self.robot = graph, Robot(graph)
         self.hostile = Hostile(seed, self.robot.now)
         self.state = random_state(0)
@@ -49,7 +55,7 @@ class FuzzedPolicy:
             for name, kind in extra.items()
         }
         self.kinds = KINDS | extra
-        graph.start('policy_node', **GOOD)
+        graph.run(command_line('policy_node', GOOD), log, LIFETIME)
         managed = {'change_state': ChangeState, 'get_state': GetState, 'cancel_goal': Trigger}
         self.node = Target(graph, 'policy_node', managed)
         self.figures = self.node.figures
@@ -103,7 +109,7 @@ class FuzzedPolicy:
             self.graph.spin(0.005)
         if self.node.state() in ('inactive', 'active'):  # only then there is the service
             self.graph.wait(self.node.clients['cancel_goal'].service_is_ready, 'cancel_goal')
-            self.graph.spin(UNSEEN_MATCH)
+            self.graph.spin(2 * UNSEEN_MATCH)
             self.node.call('cancel_goal', Trigger.Request())
 
     def parameters(self) -> None:

@@ -1,6 +1,7 @@
 """The simulator node under fire."""
 
 import math
+from pathlib import Path
 import time
 
 from geometry_msgs.msg import PoseStamped, Twist
@@ -8,11 +9,12 @@ from nav_msgs.msg import Odometry
 import numpy as np
 from std_srvs.srv import SetBool
 
-from helpers.fuzzing import hostile_value, Target
+from helpers.fuzzing import hostile_value, LIFETIME, Target
 from helpers.graph import Graph
 from helpers.hostile import Hostile
 from helpers.robot import speed
 from socialnav import qos
+from socialnav.demo.children import command_line
 from socialnav.parameters.fields import entries
 from socialnav.parameters.simulator import SimulatorParameters
 from socialnav_msgs.srv import StartEpisode
@@ -26,8 +28,12 @@ FASTEST = SimulatorParameters.__dataclass_fields__['max_speed'].metadata['range'
 class FuzzedSimulator:
     """Shoots at a simulator node for a while, and looks what its robot does."""
 
-    def __init__(self, graph: Graph, seed: int) -> None:
-        """Start the node."""
+    def __init__(self, graph: Graph, seed: int, log: Path) -> None:
+        """
+        Start the node.
+
+        :param log: file for its errors.
+        """
         self.graph = graph
         self.hostile = Hostile(seed, lambda: graph.node.get_clock().now().nanoseconds)
         self.odometry: list[Odometry] = []
@@ -36,7 +42,7 @@ class FuzzedSimulator:
             'cmd_vel': graph.node.create_publisher(Twist, 'cmd_vel', qos.COMMAND),
             'goal_pose': graph.node.create_publisher(PoseStamped, 'goal_pose', qos.GOAL),
         }
-        graph.start('simulator_node', **GOOD)
+        graph.run(command_line('simulator_node', GOOD), log, LIFETIME)
         services = {'start_episode': StartEpisode, 'pause': SetBool}
         self.node = Target(graph, 'simulator_node', services)
         self.figures = self.node.figures

@@ -15,6 +15,8 @@ from helpers.graph import Graph, UNSEEN_MATCH
 from helpers.hostile import Hostile
 from socialnav.parameters.fields import Entry
 
+LIFETIME = 3600.0
+"""Time after which a node under fire ends whatever became of the test, s."""
 PATIENCE = 10.0
 """Time after which a service counts as one that never answers, s."""
 
@@ -73,7 +75,7 @@ class Target:
         }
         for one, client in self.clients.items():
             graph.wait(client.service_is_ready, f'service {one}')
-        graph.spin(UNSEEN_MATCH)
+        graph.spin(3 * UNSEEN_MATCH)
         self.pid = self._pid()
 
     def call(self, service: str, request: Any) -> Any:

@@ -39,12 +39,23 @@ class Graph:
         """Start a node of the package; it is killed at the end of the test at the latest."""
         return self.run(command_line(name, parameters))
 
-    def run(self, command: list[str]) -> subprocess.Popen:
-        """Start a program; it is killed at the end of the test at the latest."""
-        process = subprocess.Popen(
-            ['timeout', '-k', f'{DEADLINE:g}', f'{LIFETIME:g}', *command],
-            stderr=subprocess.PIPE, text=True, env=dict(os.environ), start_new_session=True,
-        )  # fmt: skip
+    def run(
+        self, command: list[str], log: Path | None = None, lifetime: float = LIFETIME
+    ) -> subprocess.Popen:
+        """
+        Start a program; it is killed at the end of the test at the latest.
+
+        :param log: file for its errors, which a pipe that nobody reads has no room for.
+        :param lifetime: time after which it ends whatever became of the test, s.
+        """
+        with contextlib.ExitStack() as files:
+            errors = files.enter_context(log.open('w')) if log else subprocess.PIPE
+            process = subprocess.Popen(
+                ['timeout', '-k', f'{DEADLINE:g}', f'{lifetime:g}', *command],
+                stderr=errors, text=True, env=dict(os.environ), start_new_session=True,
+            )  # fmt: skip
+        if log:
+            process.stderr = log.open()
         self.processes.append(process)
         self.living.append(process)
         return process

@@ -2,6 +2,7 @@
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import Twist
+from helpers.faults import FAULTS
 from helpers.managed import change_state
 from helpers.robot import drives, speed
 import pytest
@@ -63,7 +64,7 @@ def test_diagnostics_tell_state_reason_and_what_a_decision_takes(graph, health, 
     assert int(facts['decisions']) > 0 and float(facts['decision time [s]']) > 0.0
     assert facts.keys() >= {'late decisions', 'clamped commands'}
     assert change_state(graph, 'deactivate')
-    assert facts_of(health.wait('inactive'))['state'] == 'inactive'
+    assert facts_of(health.wait(FAULTS['deactivated'].said))['state'] == 'inactive'
 
 
 def test_diagnostics_come_every_second_and_at_once_when_the_reason_changes(graph, health):
@@ -79,7 +80,7 @@ def test_diagnostics_come_every_second_and_at_once_when_the_reason_changes(graph
 
 def test_diagnostics_tell_why_a_node_is_not_configured(graph, health):
     graph.start('policy_node', model='nobody')
-    status = health.wait("no model 'nobody'")
+    status = health.wait(FAULTS['model missing'].said + " 'nobody'")
     assert status.level == DiagnosticStatus.ERROR
     assert facts_of(status)['state'] == 'unconfigured'
 
@@ -102,7 +103,7 @@ def test_another_publisher_of_commands_is_a_warning_while_the_robot_is_driven(
 ):
     health.wait('no odom')
     foreign = graph.node.create_publisher(Twist, 'cmd_vel', qos.COMMAND)
-    status = health.wait('cmd_vel has other publishers: /probe')
+    status = health.wait(FAULTS['another publisher'].said + ': /probe')
     assert status.level == DiagnosticStatus.WARN
     assert change_state(graph, 'deactivate')
     assert health.wait('inactive').message == 'inactive'

@@ -2,6 +2,7 @@
 
 import math
 
+from builtin_interfaces.msg import Time
 from helpers.driving import Drive, drives_among_any_number
 from helpers.graph import open_graph
 from helpers.managed import change_parameter, DOUBLE
@@ -9,6 +10,8 @@ from helpers.robot import speed
 from helpers.worlds import random_state
 import numpy as np
 import pytest
+
+from socialnav_msgs.msg import AgentState
 
 pytestmark = pytest.mark.usefixtures('repetition')
 
@@ -34,35 +37,37 @@ def change_of(name, path, value):
 
 
 BAD_FIELDS = [
-    ('pedestrians', 'agents.0.position.x', math.nan, 'pedestrians: position'),
-    ('pedestrians', 'agents.1.velocity.y', math.inf, 'pedestrians: velocity'),
-    ('pedestrians', 'agents.0.radius', -0.3, 'pedestrians: negative radius'),
-    ('pedestrians', 'header.frame_id', 'camera', "in frame 'camera'"),
-    ('obstacles', 'agents.0.radius', math.nan, 'obstacles: radius'),
-    ('odom', 'pose.pose.position.y', -math.inf, 'odom: position'),
-    ('odom', 'pose.pose.orientation.w', 7.0, 'odom: orientation'),
-    ('odom', 'twist.twist.linear.x', math.nan, 'odom: velocity'),
-    ('odom', 'twist.twist.angular.z', math.inf, 'odom: turn rate'),
-    ('goal_pose', 'pose.position.x', math.nan, 'goal_pose: position'),
-    ('goal_pose', 'header.frame_id', 'map', "in frame 'map'"),
+    ('pedestrian nan', 'pedestrians', 'agents.0.position.x', math.nan),
+    ('pedestrian inf', 'pedestrians', 'agents.1.velocity.y', math.inf),
+    ('radius negative', 'pedestrians', 'agents.0.radius', -0.3),
+    ('pedestrians elsewhere', 'pedestrians', 'header.frame_id', 'camera'),
+    ('list too long', 'pedestrians', 'agents', [AgentState(id=number) for number in range(3000)]),
+    ('obstacle nan', 'obstacles', 'agents.0.radius', math.nan),
+    ('odom inf', 'odom', 'pose.pose.position.y', -math.inf),
+    ('odom far', 'odom', 'pose.pose.position.x', 1e300),
+    ('no rotation', 'odom', 'pose.pose.orientation.w', 7.0),
+    ('speed nan', 'odom', 'twist.twist.linear.x', math.nan),
+    ('turn rate inf', 'odom', 'twist.twist.angular.z', math.inf),
+    ('twist elsewhere', 'odom', 'child_frame_id', 'camera'),
+    ('no stamps', 'odom', 'header.stamp', Time()),
+    ('goal nan', 'goal_pose', 'pose.position.x', math.nan),
+    ('goal elsewhere', 'goal_pose', 'header.frame_id', 'map'),
 ]
 
 
 def test_a_field_that_cannot_be_stops_the_robot_and_the_next_good_one_lets_it_go_on(drive):
     state = random_state(0)
-    for name, path, value, reason in BAD_FIELDS:
+    for fault, name, path, value in BAD_FIELDS:
         drive.moves(state)
-        drive.stands(
-            reason, state, f'{name}.{path} = {value}', change=change_of(name, path, value)
-        )
+        drive.shows(fault, state, change=change_of(name, path, value))
     drive.moves(state)
 
 
 def test_when_one_input_stops_the_robot_stops_only_where_that_input_ages(drive):
     state = random_state(0)
-    for name in ('odom', 'pedestrians'):
+    for fault, name in (('odom stops', 'odom'), ('pedestrians stop', 'pedestrians')):
         drive.moves(state)
-        drive.stands(f'{name} older than', state, f'{name} stopped', without=[name])
+        drive.shows(fault, state, without=[name])
     for name in ('obstacles', 'goal_pose'):
         drive.moves(state)
         drive.graph.spin(0.7)
@@ -70,7 +75,7 @@ def test_when_one_input_stops_the_robot_stops_only_where_that_input_ages(drive):
     assert change_parameter(
         drive.graph, 'obstacles_timeout', type=DOUBLE, double_value=0.4
     ).successful
-    drive.stands('obstacles older than', state, 'obstacles stopped', without=['obstacles'])
+    drive.shows('obstacles stop', state, without=['obstacles'])
     assert change_parameter(
         drive.graph, 'obstacles_timeout', type=DOUBLE, double_value=0.0
     ).successful
@@ -80,8 +85,8 @@ def test_when_one_input_stops_the_robot_stops_only_where_that_input_ages(drive):
 def test_a_clock_that_jumps_stops_the_robot_and_the_right_time_lets_it_go_on(drive):
     state = random_state(0)
     drive.moves(state)
-    drive.stands('odom older than', state, 'time running backwards', shift=-5.0)
-    drive.stands('from the future', state, 'time running ahead', shift=5.0)
+    drive.shows('stamps of the past', state, shift=-5.0)
+    drive.shows('stamps of the future', state, shift=5.0)
     drive.moves(state)
 
 

@@ -3,6 +3,7 @@
 import math
 
 from helpers.driving import Drive
+from helpers.faults import FAULTS
 from helpers.managed import change_parameters, change_state
 from helpers.worlds import random_state
 import pytest
@@ -45,7 +46,9 @@ def refusals(graph, node):
 def test_a_value_that_cannot_be_is_refused_while_the_robot_drives_on(graph):
     drive, state = Drive(graph).start(), random_state(0)
     drive.moves(state)
-    assert all('\n' not in reason for reason in refusals(graph, 'policy_node'))
+    reasons = refusals(graph, 'policy_node')
+    assert any(FAULTS['impossible value'].said in reason for reason in reasons)
+    assert all('\n' not in reason for reason in reasons)
     drive.moves(state)
     assert change_state(graph, 'deactivate')
     assert not any('deactivate it first' in reason for reason in refusals(graph, 'policy_node'))

@@ -4,6 +4,7 @@ import pickle
 import signal
 
 from geometry_msgs.msg import Twist
+from helpers.faults import FAULTS
 from helpers.managed import change_parameter, change_state, DOUBLE, state_of, TEXT
 from helpers.robot import drives, speed
 from lifecycle_msgs.msg import Transition
@@ -79,15 +80,14 @@ def test_a_signal_ends_a_node_that_does_not_drive_with_exit_code_0(graph, label,
     end(graph, policy, number)
 
 
-def test_an_impossible_transition_does_not_end_the_node(graph, commands):
-    graph.start('policy_node', model='orca', bounds=7.5)
+def test_an_impossible_transition_is_answered_and_does_not_end_the_node(graph, commands):
+    policy = graph.start('policy_node', model='orca', bounds=7.5)
     drives(graph, commands)
-    client = graph.node.create_client(ChangeState, 'policy_node/change_state')
-    graph.wait(client.service_is_ready, 'service')
-    wrong = Transition(id=Transition.TRANSITION_CONFIGURE)
-    client.call_async(ChangeState.Request(transition=wrong))
-    graph.spin(0.3)
+    for wrong in ({'id': Transition.TRANSITION_CONFIGURE}, {'id': 200}, {'label': 'nonsense'}):
+        request = ChangeState.Request(transition=Transition(**wrong))
+        assert not graph.call(ChangeState, 'policy_node/change_state', request).success
     drives(graph, commands)
+    assert FAULTS['impossible transition'].said in end(graph, policy)
 
 
 def test_model_and_kinematics_change_while_inactive_and_count_from_then_on(graph, commands):

@@ -6,6 +6,7 @@ import signal
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from helpers.driving import Drive, drives_among_any_number
+from helpers.faults import FAULTS
 from helpers.graph import DEADLINE
 from helpers.managed import change_parameter
 from helpers.plans import plan_of
@@ -52,7 +53,7 @@ def test_a_signal_ends_the_policy_with_a_zero_command_as_the_last(graph, driving
     graph.kill(policy, number)
     graph.wait(lambda: policy.poll() is not None, 'end of the process')
     graph.spin(0.3)
-    assert policy.returncode == 0
+    assert policy.returncode == 0, FAULTS['signal'].does
     assert speed(commands[-1]) == 0.0 and commands[-1].angular.z == 0.0
 
 
@@ -188,7 +189,7 @@ def test_what_the_map_shows_is_no_longer_driven_into(graph):
     commands = graph.listen(Twist, 'cmd_vel', qos.COMMAND)
     health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
     maps = graph.node.create_publisher(OccupancyGrid, 'map', qos.MAP)
-    graph.start('policy_node', model='orca', use_map=True)
+    graph.start('policy_node', model='orca', use_map=True, require_obstacles=False)
     robot, state = Robot(graph), random_state(0, pedestrians=0, obstacles=1)
     robot.wait()
     state.robot.heading[:], state.robot.velocity[:] = 0.0, 0.0

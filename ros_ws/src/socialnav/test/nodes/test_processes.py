@@ -8,6 +8,7 @@ import time
 
 from geometry_msgs.msg import Twist
 from helpers import stops
+from helpers.faults import FAULTS
 from helpers.graph import kill
 from helpers.managed import change_state, state_of
 from helpers.processes import wait_until_loading
@@ -35,7 +36,7 @@ WAY_TO = {
     'active': ('configure', 'activate'),
     'finalized': ('shutdown',),
 }
-BRAKING = SimulatorParameters().cmd_vel_timeout
+BRAKING = FAULTS['policy killed'].within
 """Time without a command after which the simulated robot brakes, s."""
 ALLOWANCE = 0.15
 """Time of a command and of two states, s."""
@@ -90,6 +91,7 @@ def end(graph, process, number):
 def test_a_robot_whose_policy_or_simulator_is_killed_stands_until_there_is_another(
     graph, commands, odometry
 ):
+    assert SimulatorParameters().cmd_vel_timeout == BRAKING
     results = graph.listen(EpisodeResult, 'episode_result', qos.LATCHED_RECORDING)
     simulator = graph.start('simulator_node')
     policy = graph.start('policy_node', **POLICY)

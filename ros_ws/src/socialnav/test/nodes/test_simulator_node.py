@@ -1,6 +1,9 @@
 """Laws of the simulator node, over the middleware."""
 
+import signal
+
 from geometry_msgs.msg import PoseArray, PoseStamped, Twist, TwistStamped
+from helpers.faults import FAULTS
 from helpers.robot import speed
 from nav_msgs.msg import OccupancyGrid, Odometry
 import numpy as np
@@ -279,7 +282,7 @@ def test_the_base_drives_no_faster_than_it_can_and_not_at_all_where_that_is_no_s
 ):
     odometry = graph.listen(Odometry, 'odom')
     publisher = graph.node.create_publisher(Twist, 'cmd_vel', qos.COMMAND)
-    graph.start('simulator_node', max_speed=0.8)
+    simulator = graph.start('simulator_node', max_speed=0.8)
     graph.wait(lambda: odometry and publisher.get_subscription_count(), 'state')
 
     def drives():
@@ -297,3 +300,5 @@ def test_the_base_drives_no_faster_than_it_can_and_not_at_all_where_that_is_no_s
         assert speed(odometry[-1].twist.twist) == pytest.approx(0.8)
         velocity = odometry[-1].twist.twist.linear
         assert velocity.y / velocity.x == pytest.approx(0.5)
+    graph.kill(simulator, signal.SIGTERM)
+    assert FAULTS['no speed' if wanted > 1e9 else 'too fast'].said in simulator.communicate()[1]

@@ -4,7 +4,6 @@ from pathlib import Path
 import sys
 import time
 
-from helpers import stops
 from helpers.driving import Drive
 from helpers.robot import speed
 from helpers.worlds import random_state
@@ -18,8 +17,6 @@ from socialnav.messages.stamps import time_message
 pytestmark = pytest.mark.usefixtures('repetition')
 
 STALLING_NODE = Path(__file__).parents[1] / 'helpers' / 'stalling_node.py'
-SINCE_DECISION = stops.LIMIT + stops.PERIOD
-"""Time to the stop where it counts from a decision, which may be a period later, s."""
 
 
 class SimulatedTime:
@@ -47,7 +44,7 @@ def test_a_decision_that_stalls_stops_the_robot_while_it_lasts(graph):
     state.robot.position[:] = 0.0
     drive.moves(state)
     beyond = state.with_robot(position=np.array([[2.0, 0.0]]))
-    drive.stands('the decision hangs', beyond, 'a stalling decision', SINCE_DECISION)
+    drive.shows('decision hangs', beyond)
     drive.moves(state)
 
 
@@ -60,7 +57,7 @@ def test_a_clock_that_stands_or_jumps_back_stops_the_robot_until_it_goes_on(grap
     state = random_state(0)
     drive.moves(state)
     simulated.running = False
-    drive.stands('the clock has stopped', state, 'clock stopped', SINCE_DECISION)
+    drive.shows('clock stopped', state)
     simulated.running = True
     drive.moves(state, 'the clock goes on')
     simulated.offset -= 100.0

@@ -45,6 +45,13 @@ def test_the_clock_shows_simulated_time(world):
     assert world.clock == before + SECOND // 4
 
 
+def test_the_first_case_follows_the_last_one_that_there_is(world):
+    world.begin(world.scenario, 2, 2**32 - 1)
+    assert run(world, 0.25).case_index == 2**32 - 1
+    world.advance(0.25)
+    assert world.case_index == 0 and world.episode is None
+
+
 @pytest.mark.parametrize('duration', [0.05, 0.07, 0.4])
 def test_pedestrians_walk_alike_however_time_is_cut(duration):
     scenario = make_scenario('crowd20')
