@@ -11,6 +11,7 @@ from socialnav import qos
 from socialnav.messages.conversions import ConversionError
 from socialnav.messages.detection_types import DETECTION_TYPES, message_class
 from socialnav.messages.sensor_messages import detection_points, tracks_message
+from socialnav.messages.sources import new_source
 from socialnav.messages.stamps import nanoseconds_of
 from socialnav.parameters.declaring import declare, updated
 from socialnav.parameters.tracker import TrackerParameters
@@ -41,6 +42,7 @@ class TrackerNode(Node):
         self.locator = Locator(*frames, self.settings.pose_timeout)
         self.tracker = Tracker(tracker_settings(self.settings))
         self.newest = 0
+        self.source = new_source(self.get_fully_qualified_name())
         self.pedestrians = self.create_publisher(AgentStates, 'pedestrians', qos.PEDESTRIANS)
         self.kind = DETECTION_TYPES[self.settings.source]
         self.create_subscription(
@@ -72,7 +74,9 @@ class TrackerNode(Node):
             return
         tracks = self.tracker.update(stamp * 1e-9, points)
         radius, frame = self.settings.pedestrian_radius, self.locator.planning_frame
-        self.pedestrians.publish(tracks_message(tracks, radius, stamp, frame))
+        message = tracks_message(tracks, radius, stamp, frame)
+        message.source = self.source
+        self.pedestrians.publish(message)
 
     def moment_of(self, stamp: int) -> int | None:
         """

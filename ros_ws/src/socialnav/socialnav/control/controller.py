@@ -1,6 +1,6 @@
 """All of the decision: from the newest inputs to a velocity of the robot, or a reason to stand."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 import dataclasses
 import time
 from typing import Any
@@ -86,7 +86,15 @@ class Controller:
 
         :param name: odom, pedestrians, obstacles, goal_pose, plan or map.
         """
-        self._inputs.store(name, message)
+        self._inputs.store(name, message, merged=not self.settings.lockstep)
+
+    def hear_of(self, name: str, publishers: Sequence[str]) -> None:
+        """
+        Take note of who publishes pedestrians or obstacles.
+
+        :param publishers: full names of their nodes.
+        """
+        self._inputs.hear_of(name, publishers)
 
     def cancel_goal(self) -> bool:
         """Forget the goal, so that the robot stands; return whether there was one."""
@@ -187,9 +195,8 @@ class Controller:
     def _read_state(self) -> CrowdState:
         """Return the world as the inputs tell it, at their own times."""
         settings = self.settings
-        odometry, pedestrians, obstacles, goal = map(
-            self._inputs.newest, ('odom', 'pedestrians', 'obstacles', 'goal_pose')
-        )
+        odometry, goal = map(self._inputs.newest, ('odom', 'goal_pose'))
+        pedestrians, obstacles = map(self._inputs.lists, ('pedestrians', 'obstacles'))
         return crowd_state(
             odometry, goal, pedestrians, obstacles, settings.body, settings.planning_frame,
             locate=self._locate,
