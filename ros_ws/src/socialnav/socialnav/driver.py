@@ -17,7 +17,7 @@ from std_srvs.srv import Trigger
 from socialnav import qos
 from socialnav.control.controller import Controller
 from socialnav.control.diagnostics import controller_facts
-from socialnav.control.inputs import AGEING
+from socialnav.control.inputs import AGEING, LISTS
 from socialnav.control.models import ready_policy
 from socialnav.control.settings import controller_settings
 from socialnav.messages.frames import not_asked
@@ -90,7 +90,7 @@ class Driver:
 
     def create_input(self, name: str, kind: type, profile: QoSProfile) -> Subscription:
         """Make a subscription; what comes often is not read until it is wanted."""
-        raw = name in AGEING and not self.lockstep
+        raw = name in (*AGEING, *LISTS) and not self.lockstep
         callback = partial(self.on_input, name)
         if raw:
             callback = partial(self.on_unread, name, partial(message_in, kind))

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from socialnav.control.covering import covering_complaint
 from socialnav.control.extrapolation import extrapolate
 from socialnav.control.inputs import Inputs
 from socialnav.control.plan import PlanFollower
@@ -179,6 +180,9 @@ class Controller:
         self.goal_reached = self.goal_reached or bool(distance < self.settings.goal_tolerance)
         if self.goal_reached:
             return NO_COMMAND, ARRIVED
+        reason = None if self.settings.lockstep else covering_complaint(state)
+        if reason is not None:
+            return NO_COMMAND, reason
         return self._drive(self._on_plan(self._coming_state(state, now), now))
 
     def _known_state(self, now: int) -> CrowdState:

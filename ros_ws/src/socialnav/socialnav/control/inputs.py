@@ -36,9 +36,10 @@ class Inputs:
 
     def store(self, name: str, message: Any, merged: bool = True) -> None:
         """
-        Keep a message in place of the earlier one from there; a goal that was cancelled does not come back.
+        Keep a message in place of the earlier one from there.
 
-        A goal without a stamp was typed by somebody, who means it each time.
+        A goal that was cancelled does not come back. A goal without a stamp was typed by
+        somebody, who means it each time.
 
         :param name: one of NAMES or OPTIONAL.
         :param message: it has a header; odom and pedestrians may be unread.

@@ -11,6 +11,7 @@ from std_msgs.msg import Header
 
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.stamps import nanoseconds_of
+from socialnav.messages.texts import cut
 from socialnav_core.sensing import HERE, Pose
 from socialnav_core.simulation.kinematics.angles import rotated
 from socialnav_core.states import Agents, CrowdState, Robot
@@ -19,6 +20,10 @@ from socialnav_msgs.msg import AgentStates
 
 class ConversionError(ValueError):
     """A message that must not be used; the text names the input and what is wrong with it."""
+
+    def __init__(self, text: str) -> None:
+        """Keep the text, or the beginning of a very long one."""
+        super().__init__(cut(text))
 
 
 @dataclasses.dataclass(frozen=True)
