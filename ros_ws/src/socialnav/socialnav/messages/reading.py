@@ -4,7 +4,6 @@ from typing import Any
 
 from rclpy.serialization import deserialize_message
 
-
 LONGEST = 256 * 1024
 """Bytes of a message that are read, 4,000 agents: more would keep everything else waiting."""
 
