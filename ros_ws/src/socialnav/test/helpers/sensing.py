@@ -1,5 +1,6 @@
 """A robot that stands at the origin of odom and measures with lasers, for several nodes."""
 
+from diagnostic_msgs.msg import DiagnosticArray
 import numpy as np
 from sensor_msgs.msg import LaserScan
 
@@ -8,9 +9,13 @@ from helpers.worlds import messages_of, random_state
 from socialnav import qos
 from socialnav.demo.children import command_line
 from socialnav.messages.sensor_messages import scan_message
+from socialnav.messages.stamps import header_message
 from socialnav_core.sensing import beam_angles, cast_rays
+from socialnav_msgs.msg import AgentStates
 
 BEAMS, REACH = 360, 10.0
+AHEAD_OF_LASER = [(1.2, 0.0)], [0.5]
+"""Positions and radii of what a laser sees."""
 
 
 def resting_state(pedestrians=0):
@@ -40,6 +45,10 @@ class Measuring:
         self.scans = {topic: create(LaserScan, topic, qos.SCAN) for topic in scans}
         self.changes = lambda message: message
 
+    def header(self, frame):
+        """Return a header as of now."""
+        return header_message(self.now(), frame)
+
     def now(self):
         return self.graph.node.get_clock().now().nanoseconds
 
@@ -67,6 +76,41 @@ class Measuring:
             return condition()
 
         return self.graph.wait(holds, what)
+
+
+class Sensing:
+    """An obstacle node with its scans, its lists and what it says."""
+
+    def __init__(self, graph, **parameters):
+        self.graph, self.robot = graph, Measuring(graph, 'scan')
+        self.lists = graph.listen(AgentStates, 'obstacles', qos.OBSTACLES_INPUT)
+        self.health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
+        graph.start('obstacle_node', **parameters)
+
+    def changed(self, **fields):
+        """Change fields of all scans from now on."""
+
+        def change(scan):
+            for name, value in fields.items():
+                setattr(scan, name, value)
+            return scan
+
+        self.robot.changes = change
+
+    def answer(self, scan=AHEAD_OF_LASER):
+        """Return the list that a scan of discs becomes."""
+        self.robot.until(lambda: self.lists, 'list', scan=scan)
+        self.robot.during(0.3, scan=scan)
+        return self.lists[-1]
+
+    def refuses(self, words):
+        """Publish until the node says why it refuses the scans; return what it said."""
+
+        def said():
+            told = self.health[-1].status[0].message if self.health else ''
+            return words in told and told
+
+        return self.robot.until(said, f'{words!r}', scan=AHEAD_OF_LASER)
 
 
 def start_obstacle_node(graph, scan, **parameters):

@@ -5,9 +5,8 @@ import time
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Twist
 from helpers.robot import speed
-from helpers.sensing import Measuring, start_obstacle_node
+from helpers.sensing import Measuring, resting_state, start_obstacle_node
 from helpers.worlds import messages_of
-import pytest
 
 from socialnav import qos
 from socialnav_msgs.msg import AgentStates
@@ -96,8 +95,7 @@ def test_publishers_that_cannot_be_told_apart_are_named_and_the_robot_stands(gra
     robot.until(drive.ahead, 'motion')
 
 
-@pytest.mark.parametrize('where', [(1.5, 0.0), (1.5, 0.3)])
-def test_people_of_two_trackers_are_all_avoided(graph, where):
+def test_people_of_two_trackers_are_all_avoided(graph):
     drive, robot = Drive(graph), Measuring(graph, people=False)
     publishers = {
         source: graph.node.create_publisher(AgentStates, 'pedestrians', qos.PEDESTRIANS)
@@ -113,7 +111,7 @@ def test_people_of_two_trackers_are_all_avoided(graph, where):
             publisher.publish(message)
 
     robot.until(lambda: tell([]) or drive.ahead(), 'motion')
-    person = messages_of_one_person(where)
+    person = one_person((1.5, 0.0))
     robot.until(lambda: tell(person) or not drive.ahead(), 'reaction')
     drive.commands.clear()
     for _ in range(40):
@@ -122,10 +120,8 @@ def test_people_of_two_trackers_are_all_avoided(graph, where):
     assert len(drive.commands) > 10 and not any(one.linear.x > 0.9 for one in drive.commands)
 
 
-def messages_of_one_person(where):
+def one_person(where):
     """Return a list of one person who stands somewhere."""
-    from helpers.sensing import resting_state
-
     state = resting_state(pedestrians=1)
     state.agents.position[:], state.agents.velocity[:] = where, 0.0
     return messages_of(state)['pedestrians'].agents
