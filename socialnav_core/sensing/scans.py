@@ -1,12 +1,9 @@
 """What the beams of a laser scan say: where they ended, how far they were free."""
 
 import dataclasses
-from typing import Literal
 
 import numpy as np
 
-Meaning = Literal['free', 'failed', 'near']
-"""Nothing until the longest range; no measurement; something at the shortest range."""
 MOST_BEAMS = 20000
 """More beams than any scanner of a robot has."""
 WHOLE_TURN = 2 * np.pi + 0.1
@@ -15,15 +12,20 @@ WHOLE_TURN = 2 * np.pi + 0.1
 
 @dataclasses.dataclass(frozen=True)
 class Readings:
-    """What the driver of a laser means by ranges that are no distance (REP-117 by default)."""
+    """
+    What the driver of a laser means by ranges that are no distance (REP-117 by default).
 
-    inf: Meaning = 'free'
+    Each means `free`, nothing until the longest range, `failed`, no measurement, or `near`,
+    something at the shortest range.
+    """
+
+    inf: str = 'free'
     """inf."""
-    nan: Meaning = 'failed'
+    nan: str = 'failed'
     """NaN."""
-    zero: Meaning = 'failed'
+    zero: str = 'failed'
     """0."""
-    beyond: Meaning = 'failed'
+    beyond: str = 'failed'
     """The longest range, and finite ones above it."""
     least_valid: float = 0.1
     """Share of the beams that must have measured something or nothing."""

@@ -126,9 +126,9 @@ def mounting_of(transform: TransformStamped) -> Mounting:
     :raises ConversionError: it is not level, or the transform is none.
     """
     moved, turn = transform.transform.translation, transform.transform.rotation
-    place = finite('transform', 'translation', [moved.x, moved.y]).tolist()
+    x, y = finite('transform', 'translation', [moved.x, moved.y]).tolist()
     heading = heading_of('transform', turn)  # direction of its x axis on the ground
     upwards = 1 - 2 * (turn.x**2 + turn.y**2)  # its z axis, upwards
     if abs(upwards) < LEVEL:
         raise ConversionError(f'the laser of {transform.child_frame_id!r} is tilted')
-    return Mounting(Pose(*place, heading), upwards < 0)
+    return Mounting(Pose(x, y, heading), upwards < 0)
