@@ -44,10 +44,11 @@ def read_path(data: bytes) -> ReadPath | None:
 
 
 def list_length(data: bytes) -> int | None:
-    """Return the length of the list after the header of a message; None where there is none."""
+    """Return the length of a serialized list of agents; None where the bytes are none."""
     try:
         body, order = memoryview(data)[ENCAPSULATION:], ORDERS[data[1]]
-        _, end = text_at(body, STAMP, order)
+        _, frame_end = text_at(body, STAMP, order)
+        _, end = text_at(body, frame_end, order)  # the source
         return int(struct.unpack_from(order + 'I', body, aligned(end, 4))[0])
     except (struct.error, IndexError, KeyError, ValueError):
         return None

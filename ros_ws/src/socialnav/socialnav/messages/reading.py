@@ -12,10 +12,14 @@ from socialnav_msgs.msg import AgentStates
 
 MOST_AGENTS = 2000
 """Agents of the longest list that is read: rclpy takes 15 ms for a thousand."""
+LONGEST = 256 * 1024
+"""Bytes of a message that are read, 4,000 agents: more would keep everything else waiting."""
 
 
 def message_in(kind: type, data: bytes) -> Any:
-    """Return a message of a type; None where the bytes are none."""
+    """Return a message of a type; None where the bytes are none, or too many."""
+    if len(data) > LONGEST:
+        return None
     try:
         return deserialize_message(data, kind)
     except RuntimeError:  # of which rclpy's RMWError is one, whose own name is private

@@ -1,10 +1,12 @@
 """What a map shows near a robot; no middleware is needed for it."""
 
+import array
 import dataclasses
 import math
+import time
 
 from helpers.controllers import controller_of, SECOND, SETTINGS
-from helpers.worlds import quaternion_of, random_state
+from helpers.worlds import apart, quaternion_of, random_state
 from nav_msgs.msg import OccupancyGrid
 import numpy as np
 import pytest
@@ -146,7 +148,8 @@ def test_every_obstacle_near_the_robot_is_found_again_in_the_map(policy):
 
 def test_what_the_map_shows_takes_no_place_from_people(policy):
     state = random_state(3, pedestrians=5, obstacles=1)
-    state.agents.position[0, 5] = state.robot.position[0] + (0.5, 0.0)
+    state = apart(state)
+    state.agents.position[0, 5] = state.robot.position[0] + (1.0, 0.0)
     controller_with_map(policy, state, max_agents=5).decide(SECOND)
     assert (~policy.states[0].agents.static[0]).sum() == 5
 
@@ -161,3 +164,29 @@ def test_a_map_that_is_not_wanted_changes_nothing(policy):
     controller.store('map', grid_of([(14, 10)]))
     controller.decide(SECOND)
     assert policy.states[0].agents.count == 5
+
+
+@pytest.mark.parametrize('share', [0.5, 1.0])
+def test_a_map_of_fine_cells_takes_no_longer_than_a_decision_may(share):
+    grid = grid_of([], resolution=0.02, corner=(-6.0, -6.0), size=600)
+    occupied = np.random.default_rng(0).random(600 * 600) < share
+    grid.data = array.array('b', np.where(occupied, 100, 0).astype(np.int8).tobytes())
+    durations = []
+    for _ in range(3):
+        began = time.process_time()
+        grid_discs(grid, np.zeros(2), 'odom')
+        durations.append(time.process_time() - began)
+    assert min(durations) < 0.2
+
+
+@pytest.mark.parametrize('resolution', [0.01, 0.02, 0.05, 0.1])
+def test_however_fine_the_cells_are_nothing_is_farther_than_it_is_or_much_nearer(resolution):
+    size = round(8.0 / resolution)
+    centres = (np.arange(size) + 0.5) * resolution - 4.0
+    x, y = np.meshgrid(centres, centres)
+    grid = grid_of([], resolution=resolution, corner=(-4.0, -4.0), size=size)
+    levels = np.where((x > 1.5) | (y < -2.0), 100, 0).astype(np.int8)
+    grid.data = array.array('b', levels.tobytes())
+    discs, radii = grid_discs(grid, np.zeros(2), 'odom')
+    told = (np.linalg.norm(discs, axis=1) - radii).min()
+    assert 1.5 - 0.15 < told <= 1.5 + 1e-6
