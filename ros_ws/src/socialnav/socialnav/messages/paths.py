@@ -11,13 +11,9 @@ import struct
 import numpy as np
 from std_msgs.msg import Header
 
+from socialnav.messages.serialized import aligned, ENCAPSULATION, ORDERS, STAMP, text_at
 from socialnav.messages.stamps import header_message
 
-ENCAPSULATION = 4
-"""Bytes before the message, which tell its order of bytes."""
-ORDERS = {0: '>', 1: '<'}
-STAMP = 8
-"""Bytes of a time."""
 POSE = 56
 """Bytes of a pose without its header: seven doubles."""
 MIXED = 'poses in different frames, or cut off'
@@ -48,7 +44,7 @@ def list_length(data: bytes) -> int | None:
     try:
         body, order = memoryview(data)[ENCAPSULATION:], ORDERS[data[1]]
         _, frame_end = text_at(body, STAMP, order)
-        _, end = text_at(body, frame_end, order)  # the source
+        _, end = text_at(body, aligned(frame_end, 4), order)  # the source
         return int(struct.unpack_from(order + 'I', body, aligned(end, 4))[0])
     except (struct.error, IndexError, KeyError, ValueError):
         return None
@@ -64,7 +60,7 @@ def path_in(body: memoryview, order: str) -> ReadPath:
     seconds, nanoseconds = struct.unpack_from(order + 'iI', body, 0)
     frame, end = text_at(body, STAMP, order)
     (count,) = struct.unpack_from(order + 'I', body, aligned(end, 4))
-    header = header_message(seconds * 10**9 + nanoseconds, frame)
+    header = header_message(seconds * 10**9 + nanoseconds, frame.decode())
     if count == 0:
         return ReadPath(header, np.zeros((0, 2)), '')
     return ReadPath(header, *poses_at(body, aligned(end, 4) + 4, count, order))
@@ -84,7 +80,7 @@ def poses_at(body: memoryview, offset: int, count: int, order: str) -> tuple[np.
     points = np.empty((count, 2))
     points[0] = struct.unpack_from(order + '2d', body, start - POSE)
     if count == 1:
-        return points, frame
+        return points, frame.decode()
     place = aligned(STAMP + len(named), 8)
     if start + (count - 1) * (place + POSE) > len(body):
         return np.zeros((0, 2)), MIXED
@@ -95,18 +91,4 @@ def poses_at(body: memoryview, offset: int, count: int, order: str) -> tuple[np.
         (count - 1, 2), order + 'f8', body, start + place, (place + POSE, 8)
     )
     points[1:] = numbers
-    return points, frame
-
-
-def text_at(body: memoryview, offset: int, order: str) -> tuple[str, int]:
-    """Return a text, and where it ends; its length comes first and counts a zero at its end."""
-    (length,) = struct.unpack_from(order + 'I', body, offset)
-    end = offset + 4 + length
-    if not 1 <= length <= len(body) - offset - 4:
-        raise ValueError('a text longer than the message')
-    return bytes(body[offset + 4 : end - 1]).decode(), end
-
-
-def aligned(offset: int, size: int) -> int:
-    """Return the next multiple of a size."""
-    return -(-offset // size) * size
+    return points, frame.decode()
