@@ -12,7 +12,7 @@ class BoundConfig:
     headings: int = 64
     """Number of headings."""
     cell: float = 0.0625
-    """Side of the cells that keep one position in each step, m."""
+    """Side of the cells that keep one position in each step, m; at most half a step is used."""
     comfort_distance: float = 0.2
     """Gap to people that the comfortable path keeps, m."""
 
