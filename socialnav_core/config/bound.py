@@ -13,7 +13,7 @@ class BoundConfig:
     headings: Annotated[int, Range(3, 360)] = 64
     """Number of headings."""
     cell: Annotated[float, Range(0.001, 1)] = 0.0625
-    """Side of the cells that keep one position in each step, m."""
+    """Side of the cells that keep one position in each step, m; at most half a step is used."""
     comfort_distance: Annotated[float, Range(0, 10)] = 0.2
     """Gap to people that the comfortable path keeps, m."""
 

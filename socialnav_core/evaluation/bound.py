@@ -12,6 +12,8 @@ from socialnav_core.metrics.table import finite_or_none
 from socialnav_core.simulation.kinematics.angles import direction
 from socialnav_core.tables import number
 
+WIDEST_CELL = 0.5
+"""Cells are at most this part of a step wide, so that a slow robot gets from one to another."""
 ROOM = 2**18
 GREATEST_ROOM = 2**24
 """Positions that there is memory for at first, and at most (0.8 GB)."""
@@ -88,7 +90,7 @@ def trip_of(futures: Futures, case: int, config: BoundConfig) -> Trip:
         stride=stride,
         limit=float(futures.start.bounds[case] - robot.radius[case]) - TOUCH,
         duration=scenario.time_step,
-        cell=config.cell,
+        cell=min(config.cell, WIDEST_CELL * stride),
     )
 
 

@@ -23,9 +23,9 @@ def draw_person(stream, speed, radius, i):  # type: ignore[no-untyped-def]
 
 
 @compiled
-def draw_place(
+def draw_place(  # type: ignore[no-untyped-def]
     stream, circle, robot, robot_radius, position, goal, radius, count, people, i, size
-):  # type: ignore[no-untyped-def]
+):
     """
     Draw where a person of a size comes from, and the goal opposite; return whether there is room.
 

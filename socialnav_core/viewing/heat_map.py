@@ -1,6 +1,6 @@
 """The success of some policies in a grid of worlds as a picture."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +14,7 @@ from socialnav_core.evaluation.grid import Cell
 from socialnav_core.evaluation.grid_report import axis_text, value_text
 
 CELL = (0.5, 0.3)  # inches
-LEFT, TOP = 1.0, 0.75
+LEFT, HEAD, LABELS, MARGIN = 0.6, 0.4, 0.45, 0.1  # inches
 DARK = 0.45
 """Below this success the numbers are white."""
 
@@ -26,26 +26,35 @@ def plot_grid(config: GridConfig, results: dict[str, list[Cell]], path: Path) ->
     :param results: cells of each policy by its name.
     :param path: a picture in the format of its suffix.
     """
-    shapes = [shape_of(table) for table in config.tables]
-    widths = [LEFT + CELL[0] * shape[1] for shape in shapes]
-    height = TOP + CELL[1] * max(shape[0] for shape in shapes)
-    figure = Figure(figsize=(sum(widths) + 0.2, (height + 0.3) * len(results)), dpi=150)
+    places = list(placed(config.tables))
+    width = max(left + CELL[0] * shape_of(table)[1] for table, left, _ in places)
+    height = HEAD + max(down + CELL[1] * shape_of(table)[0] for table, _, down in places) + LABELS
+    figure = Figure(figsize=(width + MARGIN, height * len(results)), dpi=150)
     FigureCanvasAgg(figure)
-    whole_width, whole_height = figure.get_size_inches()
+    size = np.tile(figure.get_size_inches(), 2)
     for row, (model, cells) in enumerate(results.items()):
-        top = whole_height - row * (height + 0.3) - 0.5
-        figure.text(0.1 / whole_width, (top + 0.25) / whole_height, model, weight='bold')
-        left = 0.0
-        for table, shape, width in zip(config.tables, shapes, widths, strict=True):
-            across, down = CELL[0] * shape[1], CELL[1] * shape[0]
-            box = (left + LEFT, top - down - 0.15, across, down)
-            axes = figure.add_axes(
-                (box[0] / whole_width, box[1] / whole_height,
-                 box[2] / whole_width, box[3] / whole_height)
-            )  # fmt: skip
+        top = size[1] - row * height
+        figure.text(MARGIN / size[0], (top - 0.5 * HEAD) / size[1], model, weight='bold')
+        for table, left, down in places:
+            rows, columns = shape_of(table)
+            bottom = top - HEAD - down - CELL[1] * rows
+            box = np.array([left, bottom, CELL[0] * columns, CELL[1] * rows])
+            axes = figure.add_axes(tuple(box / size))
             draw_table(axes, table, success_of(table, cells))
-            left += width
     figure.savefig(path)
+
+
+def placed(tables: Sequence[Table]) -> Iterator[tuple[Table, float, float]]:
+    """Yield each table, how far from the left and how far down; those of one row share columns."""
+    height = CELL[1] * max(shape_of(table)[0] for table in tables)
+    left, down, width = LEFT, 0.0, 0.0
+    for table in tables:
+        rows, columns = shape_of(table)
+        if down > 0.0 and (rows > 1 or down + CELL[1] * rows > height):
+            left, down, width = left + width, 0.0, 0.0
+        yield table, left, down
+        width = max(width, CELL[0] * columns + LEFT)
+        down += CELL[1] * rows + LABELS
 
 
 def shape_of(table: Table) -> tuple[int, int]:
@@ -77,5 +86,5 @@ def draw_table(axes: Axes, table: Table, success: np.ndarray) -> None:
     axes.set_yticks(range(success.shape[0]) if len(names) == 2 else [])
     if len(names) == 2:
         axes.set_yticklabels(along[0], **small)
-        axes.set_ylabel(axis_text(names[0]), labelpad=1, **small)
+        axes.set_ylabel(axis_text(names[0]), labelpad=3, **small)
     axes.tick_params(length=0, pad=2)
