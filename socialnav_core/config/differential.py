@@ -28,9 +28,9 @@ class DifferentialConfig:
     """Duration of the layers after that, s."""
     fine_layers: int = 2
     """Number of first layers in which changes by half of what is possible are tried too."""
-    beam: int = 400
+    beam: int = 600
     """The best so many nodes of a layer are followed."""
-    slack: float = 3.0
+    slack: float = 4.0
     """Nodes that are worse than the best of their layer by more than this are dropped, s."""
     cell: float = 0.125
     """Side of the cells that keep one node each until `near`, in seconds at preferred speed."""
@@ -42,7 +42,7 @@ class DifferentialConfig:
     """Number of speeds that cells tell apart, besides the stop."""
     turn_rates: int = 6
     """Number of turn rates that cells tell apart, besides going straight."""
-    sure: float = 0.5
+    sure: float = 1.0
     """So far ahead risks count in full, s: a robot that drives cannot stop at once."""
     steering: float = 0.1
     """Cost of a change of the turn rate by the largest one, s."""
