@@ -24,9 +24,9 @@ class DifferentialConfig:
     """Duration of the layers after that, s."""
     fine_layers: Annotated[int, Range(0, 100)] = 2
     """Number of first layers in which changes by half of what is possible are tried too."""
-    beam: Annotated[int, Range(1, 100_000)] = 400
+    beam: Annotated[int, Range(1, 100_000)] = 600
     """The best so many nodes of a layer are followed."""
-    slack: Annotated[float, Range(0.01, 100)] = 3.0
+    slack: Annotated[float, Range(0.01, 100)] = 4.0
     """Nodes that are worse than the best of their layer by more than this are dropped, s."""
     cell: Annotated[float, Range(0.01, 5)] = 0.125
     """Side of the cells that keep one node each until `near`, in seconds at preferred speed."""
@@ -38,7 +38,7 @@ class DifferentialConfig:
     """Number of speeds that cells tell apart, besides the stop."""
     turn_rates: Annotated[int, Range(1, 100)] = 6
     """Number of turn rates that cells tell apart, besides going straight."""
-    sure: Annotated[float, Range(0, 30)] = 0.5
+    sure: Annotated[float, Range(0, 30)] = 1.0
     """So far ahead risks count in full, s: a robot that drives cannot stop at once."""
     steering: Annotated[float, Range(0, 100)] = 0.1
     """Cost of a change of the turn rate by the largest one, s."""

@@ -6,6 +6,9 @@ from typing import NamedTuple
 from socialnav_core.config import SearchConfig
 from socialnav_core.simulation.kinematics import Limits
 
+LEAST_TURN_RATE = 1e-6
+"""A base that cannot turn counts as one that takes weeks to, since times are divided by it."""
+
 
 class Base(NamedTuple):
     """Limits of a base, all finite."""
@@ -30,7 +33,7 @@ def base_of(settings: SearchConfig, limits: Limits | None) -> Base:
     return Base(
         speed=limits.speed,
         acceleration=finite_or(limits.acceleration, own.acceleration),
-        turn_rate=finite_or(limits.turn_rate, own.turn_rate),
+        turn_rate=max(finite_or(limits.turn_rate, own.turn_rate), LEAST_TURN_RATE),
         angular_acceleration=finite_or(limits.angular_acceleration, own.angular_acceleration),
         reverse=own.reverse,
         period=limits.period,

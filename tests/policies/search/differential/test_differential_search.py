@@ -106,6 +106,11 @@ def test_a_robot_beyond_its_limits_comes_back_within_them(policy):
     assert command[0] <= 1.0 and abs(command[1]) <= 1.5
 
 
+def test_a_robot_that_may_not_turn_drives_straight_on(policy):
+    command = policy.act(facing(speed=0.5), Limits(1.0, 1.0, 0.0, STEP, 2.0))[0]
+    assert command[0] > 0.5 and abs(command[1]) < 1e-5
+
+
 def test_it_never_drives_backwards_unless_it_may(policy):
     goal = {'heading': np.pi, 'goal': (0.7, 0.0)}
     _, commands = drive(policy, facing(**goal))
