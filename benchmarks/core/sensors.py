@@ -2,7 +2,7 @@
 How much a robot loses that has to measure where everybody is: the same cases, told and measured.
 
     python benchmarks/core/sensors.py --episodes 200
-    python benchmarks/core/sensors.py --split validation --set tracker.hits=1 surfaces.sectors=36
+    python benchmarks/core/sensors.py --split validation --set tracker.gate=5.0 surfaces.sectors=36
 
 A scan becomes discs and detections become tracks, by the functions that the nodes use, but without
 middleware and delay, so that the figures repeat exactly. Detections come 20 times, scans and
@@ -24,8 +24,10 @@ from socialnav_core.policies import load_policy
 from socialnav_core.sensing import (
     beam_angles,
     DetectorSettings,
+    Geometry,
     Pose,
-    scan_returns,
+    Rays,
+    scan_beams,
     ScannerSettings,
     Sensors,
     SurfaceSettings,
@@ -92,15 +94,18 @@ class Perception:
     def _discs(self, state: CrowdState) -> tuple[np.ndarray, np.ndarray]:
         """Return centres and radii of the discs that a scan of the first world becomes."""
         ranges = self.sensors.scan(state)
-        first, second = beam_angles(len(ranges))[:2]
-        points = scan_returns(ranges, first, second - first, 0.0, np.inf)
+        first, second, *_, last = beam_angles(len(ranges)).tolist()
+        geometry = Geometry(first, last, second - first, 0.0, np.inf)
+        points, ends = scan_beams(ranges, geometry, reach=self.settings.scanner.range)
         position, surfaces = state.robot.position[0], self.settings.surfaces
         if self.settings.walls_told:
             bounds = float(state.bounds[0]) - WALL_MARGIN
             surfaces = dataclasses.replace(surfaces, bounds=bounds)
-        points = Pose(*position.tolist(), float(state.robot.heading[0])).placed(points)
+        place = Pose(*position.tolist(), float(state.robot.heading[0]))
+        rays = Rays(position, place.placed(ends))
         people = np.full(len(self.tracks.id), self.settings.pedestrian_radius)
-        return surrounding_discs(points, position, self.tracks.position, people, surfaces)
+        known = self.tracks.position, people
+        return surrounding_discs(place.placed(points), position, *known, surfaces, rays=rays)
 
 
 def known(state: CrowdState, perceptions: list[Perception], settings: Settings) -> CrowdState:
@@ -186,7 +191,7 @@ def parse() -> argparse.Namespace:
     parser.add_argument('--split', default='test', help='test or validation (test)')
     parser.add_argument(
         '--set', nargs='*', default=[], dest='assignments', metavar='KEY=VALUE',
-        help='change what is measured or made of it, such as tracker.hits=1',
+        help='change what is measured or made of it, such as tracker.coast_time=1.0',
     )  # fmt: skip
     return parser.parse_args()
 

@@ -22,6 +22,7 @@ def agent_states_of(
     positions: np.ndarray,
     velocities: np.ndarray,
     radii: np.ndarray,
+    source: str = '',
 ) -> Message:
     """
     Return agents that are given one by one.
@@ -30,10 +31,12 @@ def agent_states_of(
     :param positions: m, (agents, 2).
     :param velocities: m/s, (agents, 2).
     :param radii: m, (agents,).
+    :param source: who says it, where several publish on one topic.
     """
     told = zip(ids.tolist(), positions, velocities, radii.tolist(), strict=True)
     return {
         'header': header,
+        'source': source,
         'agents': [
             {'id': number, 'position': vector(place), 'velocity': vector(speed), 'radius': radius}
             for number, place, speed, radius in told

@@ -4,11 +4,12 @@ import dataclasses
 
 import numpy as np
 
-from socialnav_core.sensing.circles import circles_of
+from socialnav_core.sensing.circles import circles_of, crossed
+from socialnav_core.sensing.scans import Rays
 
 VISIBLE_SECTORS = 720
 """Within so small a sector only the nearest point is on what the robot sees."""
-RIM_TOLERANCES = 3
+RIM_TOLERANCES = 2
 """Points so many tolerances outside of a circle are still on it."""
 
 
@@ -32,37 +33,8 @@ class SurfaceSettings:
     """Half-width of the square around the world's origin; points outside are dropped, m."""
     people_margin: float = 0.2
     """Points no farther from a known person's rim than this belong to that person, m."""
-
-
-def scan_returns(
-    ranges: np.ndarray,
-    angle_min: float,
-    angle_increment: float,
-    range_min: float,
-    range_max: float,
-) -> np.ndarray:
-    """
-    Return where a scan hit something, in the frame of the laser, m, (returns, 2).
-
-    As REP-117 has it: inf is free, NaN is no measurement, -inf is nearer than range_min and is
-    taken to be there. Other ranges outside of the limits mean nothing, nor does 0, which drivers
-    report for a beam that failed.
-
-    :param ranges: m, (beams,).
-    :param angle_min: direction of the first beam, rad.
-    :param angle_increment: from beam to beam, rad, of either sign.
-    :raises ValueError: where no beam measured anything, or the scan's own numbers cannot be.
-    """
-    ranges = np.asarray(ranges, dtype=float)
-    if not np.isfinite([angle_min, angle_increment, range_min]).all() or np.isnan(range_max):
-        raise ValueError('angles or limits with NaN or infinity')
-    ranges = np.where(np.isneginf(ranges), max(range_min, 0.0), ranges)
-    hit = np.isfinite(ranges) & (ranges >= range_min) & (ranges <= range_max) & (ranges > 0)
-    if not (hit | np.isposinf(ranges)).any():
-        raise ValueError('no beam measured anything')
-    angles = angle_min + angle_increment * np.arange(len(ranges))
-    rays = np.stack([np.cos(angles[hit]), np.sin(angles[hit])], axis=-1)
-    return ranges[hit, None] * rays
+    footprint: float = 0.0
+    """Points nearer to the robot's centre than this are the robot itself, m."""
 
 
 def grid_returns(levels: np.ndarray, resolution: float, threshold: int) -> np.ndarray:
@@ -77,6 +49,21 @@ def grid_returns(levels: np.ndarray, resolution: float, threshold: int) -> np.nd
     return (np.stack([columns, rows], axis=-1) + 0.5) * resolution
 
 
+def pooled(levels: np.ndarray, block: int) -> np.ndarray:
+    """
+    Return the highest level of each square of cells, (rows, columns); what is left over counts.
+
+    :param levels: (rows, columns).
+    :param block: side of a square, in cells.
+    """
+    if block == 1:
+        return levels
+    rows, columns = (-(-size // block) for size in levels.shape)
+    missing = [(0, rows * block - levels.shape[0]), (0, columns * block - levels.shape[1])]
+    padded = np.pad(levels, missing, constant_values=-1)
+    return padded.reshape(rows, block, columns, block).max(axis=(1, 3))
+
+
 def surrounding_discs(
     points: np.ndarray,
     robot: np.ndarray,
@@ -84,37 +71,58 @@ def surrounding_discs(
     people_radius: np.ndarray,
     settings: SurfaceSettings,
     depth: float = 0.0,
+    rays: Rays | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """
     Return discs that stand for surfaces: centres, m, (discs, 2), and radii, m, (discs,).
 
-    What looks round becomes one disc. For the rest, the nearest point in each sector counts: a
-    disc lies behind it, seen from the robot, so that its rim touches the point and the clearance
-    is that of the surface. Sectors begin at the world's x axis, so that they stay where they are
-    when the robot turns.
+    What looks round from outside, and is crossed by no ray, becomes one disc. For the rest, the
+    nearest point in each sector counts: a disc lies behind it, seen from the robot, so that its
+    rim touches the point and the clearance is that of the surface. Sectors begin at the world's x
+    axis, so that they stay where they are when the robot turns.
 
     :param points: on surfaces, m, (points, 2).
     :param robot: its centre, m, (2,).
     :param people_position: known people, whose returns are left out, m, (people, 2).
     :param people_radius: of them, m, (people,).
     :param depth: how much nearer than its point a surface may be, m.
+    :param rays: on which nothing is; without them the ways from the robot to what it sees.
     """
     offset = points - robot
     distance = np.hypot(offset[:, 0], offset[:, 1])
-    wanted = (distance <= settings.max_range) & (distance > 0)
+    wanted = (distance <= settings.max_range) & (distance > settings.footprint)
     wanted &= np.abs(points).max(axis=1, initial=0.0) < settings.bounds
-    wanted &= ~within(points, people_position, people_radius + settings.people_margin)
-    offset = offset[wanted]
-    tolerance = settings.circle_tolerance
-    limits = settings.smallest_circle, settings.largest_circle, tolerance
-    centres, radii = circles_of(nearest_of_sectors(offset, VISIBLE_SECTORS), *limits)
-    rest = offset[~within(offset, centres, radii + RIM_TOLERANCES * tolerance)]
+    near = np.hypot(*(people_position - robot).T) - people_radius <= settings.max_range + 1.0
+    masks = people_position[near], people_radius[near] + settings.people_margin
+    wanted[wanted] = ~within(points[wanted], *masks)
+    visible = nearest_of_sectors(offset[wanted], VISIBLE_SECTORS)
+    free = Rays(np.zeros(2), visible) if rays is None else rays.seen_from(robot)
+    centres, radii = round_things(visible, free, settings, depth)
+    rest = visible[~within(visible, centres, radii + RIM_TOLERANCES * settings.circle_tolerance)]
     points = nearest_of_sectors(rest, settings.sectors)
     distance = np.hypot(points[:, 0], points[:, 1])
     behind = np.maximum(distance - depth, 0.0) + settings.disc_radius
     discs = points * (behind / distance)[:, None]
     small = np.full(len(discs), settings.disc_radius)
     return robot + np.concatenate([centres, discs]), np.concatenate([radii + depth, small])
+
+
+def round_things(
+    visible: np.ndarray, rays: Rays, settings: SurfaceSettings, depth: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """
+    Return the circles that may be discs: centres, m, (circles, 2), and radii, m, (circles,).
+
+    :param visible: points as seen from the robot, m, (points, 2).
+    :param rays: on which nothing is, likewise.
+    :param depth: how much a circle grows, m; not over the robot.
+    """
+    tolerance = settings.circle_tolerance
+    limits = settings.smallest_circle, settings.largest_circle, tolerance
+    centres, radii = circles_of(visible, *limits)
+    good = np.hypot(centres[:, 0], centres[:, 1]) > radii + depth
+    good &= ~crossed(centres, radii, rays, RIM_TOLERANCES * tolerance)
+    return centres[good], radii[good]
 
 
 def nearest_of_sectors(offset: np.ndarray, sectors: int) -> np.ndarray:

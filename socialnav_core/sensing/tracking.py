@@ -7,6 +7,10 @@ from scipy.optimize import linear_sum_assignment
 
 FORBIDDEN = 1e6
 """Cost of an assignment beyond the gate: any number of others is cheaper."""
+MOST_TRACKS = 1000
+"""The oldest tracks beyond this number are dropped, so that time and memory have an end."""
+ROUNDING = 1e-6
+"""What times may differ by, s."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -23,8 +27,8 @@ class TrackerSettings:
     """Detections farther than so many standard deviations are not a track's."""
     coast_time: float = 0.5
     """Time without a detection after which a track dies, s."""
-    hits: int = 2
-    """Number of detections that confirm a track."""
+    confirmation_time: float = 0.04
+    """Time between first and newest detection that confirms a track, s; 0: one is enough."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -36,7 +40,9 @@ class Tracks:
     position: np.ndarray
     """m, (tracks, 2)."""
     velocity: np.ndarray
-    """m/s, (tracks, 2)."""
+    """m/s, (tracks, 2); 0 for who is not confirmed."""
+    confirmed: np.ndarray
+    """Who has been detected for long enough, bool (tracks,)."""
 
 
 class Tracker:
@@ -55,7 +61,7 @@ class Tracker:
 
     def update(self, time: float, detections: np.ndarray) -> Tracks:
         """
-        Take the detections of a moment and return the confirmed tracks.
+        Take the detections of a moment and return all tracks.
 
         :param time: of the detections, s; when it runs backwards, all tracks are forgotten.
         :param detections: m, (detections, 2).
@@ -69,20 +75,23 @@ class Tracker:
         tracks, matched = self._assign(detections)
         self._correct(tracks, detections[matched])
         self._begin(np.delete(detections, matched, axis=0))
-        confirmed = self._hits >= self.settings.hits
-        return Tracks(self._id[confirmed], *np.split(self._mean[confirmed], 2, axis=1))
+        self._keep(np.arange(len(self._id)) >= len(self._id) - MOST_TRACKS)
+        confirmed = self._seen - self._born >= self.settings.confirmation_time - ROUNDING
+        position, velocity = np.split(self._mean, 2, axis=1)
+        velocity = np.where(confirmed[:, None], velocity, 0.0)
+        return Tracks(self._id, position, velocity, confirmed)
 
     def _forget(self) -> None:
         """Drop all tracks."""
-        self._id, self._hits = np.zeros(0, int), np.zeros(0, int)
-        self._seen = np.zeros(0)
+        self._id = np.zeros(0, int)
+        self._born, self._seen = np.zeros(0), np.zeros(0)
         self._mean, self._covariance = np.zeros((0, 4)), np.zeros((0, 4, 4))
 
     def _keep(self, kept: np.ndarray) -> None:
         """Drop tracks but those of a mask."""
-        self._id, self._hits, self._seen, self._mean, self._covariance = (
+        self._id, self._born, self._seen, self._mean, self._covariance = (
             array[kept]
-            for array in (self._id, self._hits, self._seen, self._mean, self._covariance)
+            for array in (self._id, self._born, self._seen, self._mean, self._covariance)
         )
 
     def _predict(self, duration: float) -> None:
@@ -114,7 +123,6 @@ class Tracker:
         surprise = detections - self._mean[tracks, :2]
         self._mean[tracks] += np.einsum('tij,tj->ti', gain, surprise)
         self._covariance[tracks] = covariance - gain @ covariance[:, :2]
-        self._hits[tracks] += 1
         self._seen[tracks] = self._time
 
     def _begin(self, detections: np.ndarray) -> None:
@@ -123,7 +131,7 @@ class Tracker:
         variances = np.repeat([settings.detection_noise, settings.start_speed], 2) ** 2
         covariance = np.broadcast_to(np.diag(variances), (count, 4, 4))
         self._id = np.concatenate([self._id, self._next_id + np.arange(count)])
-        self._hits = np.concatenate([self._hits, np.ones(count, int)])
+        self._born = np.concatenate([self._born, np.full(count, self._time)])
         self._seen = np.concatenate([self._seen, np.full(count, self._time)])
         self._mean = np.concatenate([self._mean, np.pad(detections, ((0, 0), (0, 2)))])
         self._covariance = np.concatenate([self._covariance, covariance])

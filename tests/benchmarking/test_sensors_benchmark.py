@@ -21,8 +21,8 @@ def test_a_case_ends_alike_however_many_are_run_beside_it():
 
 
 def test_settings_are_changed_where_their_names_say():
-    settings = changed(Settings(), {'tracker.hits': 5, 'max_agents': 7})
-    assert (settings.tracker.hits, settings.max_agents) == (5, 7)
+    settings = changed(Settings(), {'tracker.gate': 5.0, 'max_agents': 7})
+    assert (settings.tracker.gate, settings.max_agents) == (5, 7)
     assert settings.surfaces == Settings().surfaces
 
 

@@ -7,7 +7,8 @@ from socialnav_core.sensing import (
     beam_angles,
     cast_rays,
     grid_returns,
-    scan_returns,
+    pooled,
+    Rays,
     SurfaceSettings,
     surrounding_discs,
 )
@@ -21,10 +22,6 @@ def discs(points, people=NOBODY, **settings):
     return surrounding_discs(
         np.array(points, float).reshape(-1, 2), ROBOT, *people, SurfaceSettings(**settings)
     )[0]
-
-
-def scan(ranges, angle_min=0.0, angle_increment=np.pi / 2):
-    return scan_returns(np.array(ranges), angle_min, angle_increment, 0.1, 5.0)
 
 
 def test_the_rim_of_a_disc_touches_the_return_and_nothing_of_it_is_nearer():
@@ -95,42 +92,48 @@ def test_a_masked_return_does_not_hide_what_is_behind_it():
     assert centre[0] > 5.0
 
 
-def test_a_scan_is_read_from_its_first_beam_on_in_either_direction():
-    np.testing.assert_allclose(scan([1.0, 2.0]), [[1.0, 0.0], [0.0, 2.0]], atol=1e-12)
-    back = scan([1.0, 2.0], angle_increment=-np.pi / 2)
-    np.testing.assert_allclose(back, [[1.0, 0.0], [0.0, -2.0]], atol=1e-12)
-
-
-@pytest.mark.parametrize('free', [np.inf, np.nan, 0.05, 5.1, -1.0])
-def test_a_beam_without_a_valid_range_hits_nothing(free):
-    np.testing.assert_allclose(scan([1.0, free]), [[1.0, 0.0]])
-
-
-def test_what_is_too_near_to_be_measured_stands_at_the_shortest_range():
-    np.testing.assert_allclose(scan([-np.inf]), [[0.1, 0.0]])
-
-
-def test_a_scan_of_free_beams_hits_nothing():
-    assert len(scan([np.inf, np.inf])) == 0
-
-
-@pytest.mark.parametrize('ranges', [[], [np.nan, np.nan], [0.0, 0.0], [65.5, np.nan]])
-def test_a_scan_that_measured_nothing_is_refused(ranges):
-    with pytest.raises(ValueError, match='no beam measured'):
-        scan(ranges)
-
-
-@pytest.mark.parametrize('position', range(4))
-def test_a_scan_with_a_number_that_cannot_be_is_refused(position):
-    numbers = [0.0, 0.1, 0.1, 5.0]
-    numbers[position] = np.nan
-    with pytest.raises(ValueError, match='NaN'):
-        scan_returns(np.ones(3), *numbers)
-
-
 def test_only_occupied_cells_of_a_grid_return():
     levels = np.array([[0, 100, -1], [64, 65, 0]])
     np.testing.assert_allclose(grid_returns(levels, 0.5, 65), [[0.75, 0.25], [0.75, 0.75]])
+
+
+def test_a_square_of_cells_is_as_occupied_as_its_most_occupied_cell():
+    levels = np.array([[0, 0, 7], [100, -1, -1], [-1, -1, 65]], dtype=np.int8)
+    np.testing.assert_array_equal(pooled(levels, 2), [[100, 7], [-1, 65]])
+    assert pooled(levels, 1) is levels
+
+
+def test_returns_within_the_footprint_are_the_robot_itself():
+    assert len(discs(ROBOT + [[0.2, 0.1]])) == 1
+    assert len(discs(ROBOT + [[0.2, 0.1]], footprint=0.25)) == 0
+
+
+def arc(centre, radius, begin, end, count=60):
+    """Return points on a part of a circle."""
+    angles = np.linspace(begin, end, count)
+    return centre + radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+
+
+@pytest.mark.parametrize(
+    ('place', 'begin', 'end'),
+    [((0.0, 0.0), -np.pi, np.pi), ((0.5, 0.3), -np.pi, np.pi), ((1.2, 0.0), -1.5, 1.5)],
+    ids=['lobby', 'lobby off its centre', 'niche'],
+)
+def test_a_surface_around_the_robot_does_not_become_a_disc_over_it(place, begin, end):
+    points = arc(ROBOT + place, 1.5, begin, end)
+    centres, radii = surrounding_discs(points, ROBOT, *NOBODY, SurfaceSettings())
+    gap = np.linalg.norm(centres - ROBOT, axis=1) - radii
+    true = np.linalg.norm(points - ROBOT, axis=1).min()
+    assert gap.min() == pytest.approx(true, abs=1e-9)
+
+
+def test_a_circle_that_a_ray_crosses_is_no_disc():
+    surface = arc(ROBOT + [3.0, 0.0], 1.0, 2.4, 3.0)  # beside the middle of a niche's mirror image
+    through = Rays(ROBOT, np.concatenate([surface, [ROBOT + [6.0, 0.4]]]))
+    beside = Rays(ROBOT, np.concatenate([surface, [ROBOT + [6.0, 3.0]]]))
+    for rays, largest in ((through, 0.3), (beside, 1.0)):
+        _, radii = surrounding_discs(surface, ROBOT, *NOBODY, SurfaceSettings(), rays=rays)
+        assert radii.max() == pytest.approx(largest, abs=1e-6)
 
 
 def test_no_points_give_no_discs():

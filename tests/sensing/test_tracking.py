@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from socialnav_core.sensing import Tracker, TrackerSettings
-from socialnav_core.sensing.tracking import inverse
+from socialnav_core.sensing.tracking import inverse, MOST_TRACKS
 
 STEP = 0.05
-SETTINGS = TrackerSettings(hits=1)
+SETTINGS = TrackerSettings(confirmation_time=0.0)
 
 
 def tracker(**changes):
@@ -79,10 +79,29 @@ def test_a_person_who_comes_back_after_the_coast_time_is_another_one():
     assert len(later.id) == 1 and later.id[0] != first.id[0]
 
 
-def test_a_track_is_told_only_when_it_has_been_hit_often_enough():
-    filters = tracker(hits=3)
-    counts = [len(filters.update(step * STEP, np.array([[1.0, 1.0]])).id) for step in range(4)]
-    assert counts == [0, 0, 1, 1]
+def test_a_track_stands_until_it_has_been_seen_for_long_enough():
+    filters = tracker(confirmation_time=2 * STEP)
+    told = [filters.update(step * STEP, np.array([[1.0 + step * STEP, 1.0]])) for step in range(4)]
+    assert [len(one.id) for one in told] == [1, 1, 1, 1]
+    assert [one.confirmed.item() for one in told] == [False, False, True, True]
+    assert [bool(one.velocity.any()) for one in told] == [False, False, True, True]
+
+
+@pytest.mark.parametrize('interval', [0.05, 0.4])
+def test_how_often_a_person_must_be_seen_does_not_depend_on_the_detector(interval):
+    filters = tracker(confirmation_time=0.4)
+    times = np.arange(0.0, 0.81, interval)
+    told = [filters.update(time, np.array([[1.0, 1.0]])).confirmed.item() for time in times]
+    assert told == [time >= 0.4 - 1e-9 for time in times]
+
+
+def test_the_number_of_tracks_has_an_end_and_the_newest_stay():
+    filters = tracker(gate=0.1, coast_time=100.0)
+    crowd = np.random.default_rng(0).uniform(-1000.0, 1000.0, (6, 300, 2))
+    for step, positions in enumerate(crowd):
+        tracks = filters.update(step * STEP, positions)
+    assert len(tracks.id) == MOST_TRACKS
+    np.testing.assert_array_equal(tracks.position[-300:], crowd[-1])
 
 
 def test_a_detection_beyond_the_gate_begins_a_track_of_its_own():

@@ -30,6 +30,7 @@ from socialnav.realtime.alarm import Alarm
 from socialnav.realtime.clocks import pacing_clock
 from socialnav.realtime.punctuality import Punctuality
 from socialnav.realtime.watchdog import Watchdog
+from socialnav.speakers import Speakers
 from socialnav_msgs.msg import AgentStates
 
 
@@ -76,7 +77,7 @@ class Driver:
         inputs = [
             ('odom', Odometry, moving),
             ('pedestrians', AgentStates, moving),
-            ('obstacles', AgentStates, qos.OBSTACLES),
+            ('obstacles', AgentStates, qos.OBSTACLES_INPUT),
             ('goal_pose', PoseStamped, qos.GOAL),
         ]
         if not self.lockstep:
@@ -84,6 +85,8 @@ class Driver:
         if self.controller.settings.use_map:
             inputs.append(('map', OccupancyGrid, qos.MAP))
         self.subscriptions = {name: self.create_input(name, *rest) for name, *rest in inputs}
+        heard = list(self.subscriptions.values())
+        self.speakers = Speakers(self.node, heard, self.controller.hear_of)
         self.cancelling = self.node.create_service(Trigger, '~/cancel_goal', self.on_cancel)
 
     def create_input(self, name: str, kind: type, profile: QoSProfile) -> Subscription:
@@ -191,6 +194,7 @@ class Driver:
         now = self.node.get_clock().now().nanoseconds
         moment = pace.timer.clock.now().nanoseconds * 1e-9
         self.punctuality.tick(time.monotonic(), lateness, moment)
+        self.speakers.look()
         decision = self.controller.decide(now)
         self.outputs.publish(decision)
         pace.watchdog.feed()

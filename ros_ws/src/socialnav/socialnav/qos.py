@@ -22,6 +22,8 @@ def profile(depth: int, *, reliable: bool = True, latched: bool = False) -> QoSP
 ODOMETRY = profile(10)
 PEDESTRIANS = profile(10)
 OBSTACLES = profile(1, latched=True)
+OBSTACLES_INPUT = profile(16, latched=True)
+"""What a reader of several publishers needs, whose latched lists come at once."""
 GOAL = profile(10)
 """Volatile, because the goal tool of RViz publishes so and both ends must agree."""
 MAP = profile(1, latched=True)

@@ -20,6 +20,7 @@ from socialnav.messages.commands import command_array, executed
 from socialnav.messages.conversions import ConversionError, goal_array
 from socialnav.messages.filling import filled
 from socialnav.messages.occupancy import map_message
+from socialnav.messages.sources import new_source
 from socialnav.messages.stamps import nanoseconds_of, time_message
 from socialnav.parameters.declaring import declare, updated
 from socialnav.parameters.simulator import SimulatorParameters
@@ -63,6 +64,7 @@ class SimulatorNode(Node):
             self.get_clock().now().nanoseconds,
         )
         self.world.command_timeout = self.settings.cmd_vel_timeout
+        self.source = new_source(self.get_fully_qualified_name())
         self.create_outputs()
         self.create_inputs()
         self.create_pace()
@@ -243,6 +245,8 @@ class SimulatorNode(Node):
             self.goal = messages['goal_pose']
             self.own_goals.append(nanoseconds_of(self.goal.header.stamp))
         for name, message in messages.items():
+            if isinstance(message, AgentStates):
+                message.source = self.source
             self.outputs[name].publish(message)
 
     def close(self) -> None:

@@ -8,25 +8,24 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from socialnav import qos
+from socialnav.health import Health
 from socialnav.messages.conversions import ConversionError
 from socialnav.messages.detection_types import DETECTION_TYPES, message_class
 from socialnav.messages.sensor_messages import detection_points, tracks_message
+from socialnav.messages.sources import new_source
 from socialnav.messages.stamps import nanoseconds_of
 from socialnav.parameters.declaring import declare, updated
 from socialnav.parameters.tracker import TrackerParameters
 from socialnav.perception.locating import Locator
+from socialnav.perception.moments import Moments
+from socialnav.perception.rate import Rate
 from socialnav.running import run
 from socialnav_core.sensing import Tracker, TrackerSettings
 from socialnav_msgs.msg import AgentStates
 
-ACCEPTED_DELAY = 0.2
-"""Age relative to the newest detections up to which others count as seen with them, s."""
-CLOCK_STEP = 1.0
-"""Age relative to the newest detections from which it is the clock that went back, s."""
-
 
 class TrackerNode(Node):
-    """Answers each message of detections with all confirmed tracks."""
+    """Answers each message of detections with everybody who is there."""
 
     def __init__(self) -> None:
         """
@@ -40,7 +39,8 @@ class TrackerNode(Node):
         frames = self.settings.planning_frame, self.settings.base_frame
         self.locator = Locator(*frames, self.settings.pose_timeout)
         self.tracker = Tracker(tracker_settings(self.settings))
-        self.newest = 0
+        self.moments, self.rate, self.health = Moments(), Rate(), Health(self)
+        self.source = new_source(self.get_fully_qualified_name())
         self.pedestrians = self.create_publisher(AgentStates, 'pedestrians', qos.PEDESTRIANS)
         self.kind = DETECTION_TYPES[self.settings.source]
         self.create_subscription(
@@ -58,43 +58,35 @@ class TrackerNode(Node):
         try:
             self.locator.store(message)
         except ConversionError as error:
-            self.refuse(error)
+            self.health.bad('odom', f'ignored: {error}')
+        else:
+            self.health.good('odom')
 
     def on_detections(self, message: Any) -> None:
         """Answer detections; nobody detected is an answer too."""
         try:
-            points = detection_points(message, self.kind, self.locator.frame)
+            self.pedestrians.publish(self.people(message))
         except ConversionError as error:
-            self.refuse(error)
-            return
-        stamp = self.moment_of(nanoseconds_of(message.header.stamp))
-        if stamp is None:
-            return
+            self.health.bad('detections', f'ignored: {error}')
+        else:
+            self.health.good('detections')
+            self.health.answer()
+
+    def people(self, message: Any) -> AgentStates:
+        """
+        Return who is there.
+
+        :raises ConversionError: detections that cannot be used.
+        """
+        points = detection_points(message, self.kind, self.locator.frame)
+        stamp = self.moments.take(nanoseconds_of(message.header.stamp))
+        self.rate.take(stamp * 1e-9)
+        self.health.advise(self.rate.complaint(self.settings.coast_time))
         tracks = self.tracker.update(stamp * 1e-9, points)
         radius, frame = self.settings.pedestrian_radius, self.locator.planning_frame
-        self.pedestrians.publish(tracks_message(tracks, radius, stamp, frame))
-
-    def moment_of(self, stamp: int) -> int | None:
-        """
-        Return the time for which detections count, ns; None where they come too late.
-
-        Of several detectors one is slower than another: what it saw shortly before the newest
-        detections counts as seen with them. A larger step back is a clock that was set.
-
-        :param stamp: of the detections, ns.
-        """
-        late = (self.newest - stamp) * 1e-9
-        if ACCEPTED_DELAY < late <= CLOCK_STEP:
-            self.refuse(f'detections {late:.2f} s older than the newest')
-            return None
-        if 0 < late <= ACCEPTED_DELAY:
-            return self.newest
-        self.newest = stamp
-        return stamp
-
-    def refuse(self, error: ConversionError | str) -> None:
-        """Say why a message cannot be used."""
-        self.get_logger().warning(f'ignored: {error}', throttle_duration_sec=1.0)
+        result = tracks_message(tracks, radius, stamp, frame)
+        result.source = self.source
+        return result
 
     def close(self) -> None:
         """Do nothing: pedestrians that age are the policy's matter."""
@@ -108,7 +100,7 @@ def tracker_settings(parameters: TrackerParameters) -> TrackerSettings:
         start_speed=parameters.start_speed,
         gate=parameters.gate,
         coast_time=parameters.coast_time,
-        hits=parameters.hits,
+        confirmation_time=parameters.confirmation_time,
     )
 
 

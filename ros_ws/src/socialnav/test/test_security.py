@@ -25,6 +25,8 @@ KINDS = {
     'client': ('services', 'request'),
 }
 TRANSFORMS = {'tf', 'tf_static'}
+LISTENING_WHEN_ASKED = ('policy_node', 'obstacle_node')
+"""Nodes that hear transforms only when they must."""
 
 
 def permitted(node, kind):
@@ -46,7 +48,7 @@ def test_the_policy_permits_a_node_what_it_has_and_no_more(graph, node):
     graph.start(node, **NODES[node])
     for kind in KINDS:
         wanted = set(permitted(node, kind)) - OF_ANOTHER_SOURCE.get(node, set())
-        if find_spec('tf2_msgs') is None or node == 'policy_node':  # which listens when it must
+        if find_spec('tf2_msgs') is None or node in LISTENING_WHEN_ASKED:
             wanted -= TRANSFORMS
         graph.wait(
             lambda kind=kind, wanted=wanted: (

@@ -1,12 +1,13 @@
 """All of the decision: from the newest inputs to a velocity of the robot, or a reason to stand."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 import dataclasses
 import time
 from typing import Any
 
 import numpy as np
 
+from socialnav.control.covering import covering_complaint
 from socialnav.control.extrapolation import extrapolate
 from socialnav.control.inputs import Inputs
 from socialnav.control.plan import PlanFollower
@@ -90,7 +91,15 @@ class Controller:
 
         :param name: odom, pedestrians, obstacles, goal_pose, plan or map.
         """
-        self._inputs.store(name, message)
+        self._inputs.store(name, message, merged=not self.settings.lockstep)
+
+    def hear_of(self, name: str, publishers: Sequence[str]) -> None:
+        """
+        Take note of who publishes pedestrians or obstacles.
+
+        :param publishers: full names of their nodes.
+        """
+        self._inputs.hear_of(name, publishers)
 
     def cancel_goal(self) -> bool:
         """Forget the goal, so that the robot stands; return whether there was one."""
@@ -186,6 +195,9 @@ class Controller:
         self.goal_reached = self.goal_reached or bool(distance < self.settings.goal_tolerance)
         if self.goal_reached:
             return NO_COMMAND, ARRIVED
+        reason = None if self.settings.lockstep else covering_complaint(state)
+        if reason is not None:
+            return NO_COMMAND, reason
         coming = self._coming_state(state, now)
         command, reason = self._drive(self._on_plan(coming, now))
         if reason is None and not self.settings.lockstep:
@@ -210,9 +222,8 @@ class Controller:
     def _read_state(self) -> CrowdState:
         """Return the world as the inputs tell it, at their own times."""
         settings = self.settings
-        odometry, pedestrians, obstacles, goal = map(
-            self._inputs.newest, ('odom', 'pedestrians', 'obstacles', 'goal_pose')
-        )
+        odometry, goal = map(self._inputs.newest, ('odom', 'goal_pose'))
+        pedestrians, obstacles = map(self._inputs.lists, ('pedestrians', 'obstacles'))
         return crowd_state(
             odometry, goal, pedestrians, obstacles, settings.body, settings.planning_frame,
             locate=self._locate, base_frame=settings.base_frame,

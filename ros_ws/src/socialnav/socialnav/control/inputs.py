@@ -1,15 +1,18 @@
 """The newest message of each input, and what keeps a robot from acting on them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 import math
 import time
 from typing import Any
 
 from geometry_msgs.msg import PoseStamped
 
+from socialnav.control.lists import Lists
+from socialnav.messages.sources import source_of
 from socialnav.messages.stamps import nanoseconds_of
 from socialnav.messages.unread import content, Unread
 from socialnav.parameters.policy import PolicyParameters
+from socialnav_msgs.msg import AgentStates
 
 NAMES = ('odom', 'pedestrians', 'obstacles', 'goal_pose')
 OPTIONAL = ('plan', 'map')
@@ -21,6 +24,8 @@ OUT_OF_STEP = 'are the clocks in step?'
 ANOTHER_TIME = 'it has no stamp, or use_sim_time differs between the nodes'
 """What may be wrong with a stamp."""
 UNREADABLE = 'a message that cannot be read'
+LISTS = ('pedestrians', 'obstacles')
+"""Inputs of which several publishers may tell a part each."""
 
 
 class Inputs:
@@ -39,17 +44,20 @@ class Inputs:
         self._steady = steady
         self._came: dict[str, float] = {}
         self._newest: dict[str, Any] = {}
+        self._lists = {name: Lists(name) for name in LISTS}
         self._unread: set[str] = set()
         self._cancelled: PoseStamped | None = None
 
-    def store(self, name: str, message: Any) -> None:
+    def store(self, name: str, message: Any, merged: bool = True) -> None:
         """
-        Keep a message in place of the earlier one; a goal that was cancelled does not come back.
+        Keep a message in place of the earlier one from there.
 
-        A goal without a stamp was typed by somebody, who means it each time.
+        A goal that was cancelled does not come back. A goal without a stamp was typed by
+        somebody, who means it each time.
 
         :param name: one of NAMES or OPTIONAL.
         :param message: it has a header, once it has been read.
+        :param merged: whether lists of several publishers count together; else the newest does.
         """
         if (
             name == 'goal_pose'
@@ -57,6 +65,8 @@ class Inputs:
             and nanoseconds_of(message.header.stamp)
         ):
             return
+        if name in LISTS:
+            self._lists[name].store(source_of(message) if merged else '', message)
         self._newest[name], self._came[name] = message, self._steady()
         if name in NAMES:
             self._unread.add(name)
@@ -67,14 +77,31 @@ class Inputs:
         self._cancelled = goal or self._cancelled
         return goal is not None
 
+    def hear_of(self, name: str, publishers: Sequence[str]) -> None:
+        """
+        Take note of who publishes a list.
+
+        :param name: one of LISTS.
+        :param publishers: full names of their nodes.
+        """
+        self._lists[name].hear_of(publishers)
+
+    def lists(self, name: str) -> list[AgentStates]:
+        """
+        Return the newest list of each publisher, none of which is unreadable.
+
+        :param name: one of LISTS.
+        """
+        return [message for message in self._lists[name].all() if message is not None]
+
     def ages(self, now: int) -> dict[str, float]:
         """
-        Return how old the inputs are that there are, s.
+        Return how old the inputs are that there are, s; of several lists the oldest counts.
 
         :param now: ns, on the clock of the stamps.
         """
         known = [name for name in (*NAMES, *OPTIONAL) if self.newest(name) is not None]
-        return {name: (now - self.stamp(name)) * 1e-9 for name in known}
+        return {name: (now - min(self._stamps(name))) * 1e-9 for name in known}
 
     def newest(self, name: str) -> Any:
         """
@@ -82,6 +109,8 @@ class Inputs:
 
         :param name: one of NAMES or OPTIONAL.
         """
+        if name in LISTS:
+            return self._lists[name].newest()
         message = self._newest.get(name)
         if isinstance(message, Unread):  # others are not put back: they may be gone by now
             message = self._newest[name] = content(message)
@@ -93,8 +122,12 @@ class Inputs:
 
         :param name: one of NAMES.
         """
-        message = self.newest(name)
-        return 0 if message is None else nanoseconds_of(message.header.stamp)
+        return max(self._stamps(name), default=0)
+
+    def _stamps(self, name: str) -> list[int]:
+        """Return the times of the messages of an input that count, ns."""
+        messages = self.lists(name) if name in LISTS else [self.newest(name)]
+        return [nanoseconds_of(one.header.stamp) for one in messages if one is not None]
 
     def take_complete_state(self) -> bool:
         """Return whether all inputs came with one stamp since the last such state; take them."""
@@ -120,12 +153,29 @@ class Inputs:
                 return f'{name}: {UNREADABLE}' + ', or is too long' * (name != 'odom')
         if settings.lockstep:
             return None
+        return self._complaint_of_ages(now, settings) or self._complaint_of_lists()
+
+    def _complaint_of_ages(self, now: int, settings: PolicyParameters) -> str | None:
+        """Return what is wrong with the age of an input, or None."""
         ages, timeouts, present = self.ages(now), self._timeouts(settings), self._steady()
-        complaints = (
-            age_complaint(name, ages[name], timeouts[name], present - self._came[name])
-            for name in timeouts
-        )
-        return next(filter(None, complaints), None)
+        for name, timeout in timeouts.items():
+            if name not in LISTS:
+                told = [('', ages[name])]
+            else:
+                told = self._lists[name].ages(now, timeout)
+            here = present - self._came[name] if len(told) == 1 else math.inf
+            for node, age in told:
+                text = age_complaint(name, age, timeout, here)
+                if text is not None:
+                    return f'{text}, told by {node}' if node and len(told) > 1 else text
+        return None
+
+    def _complaint_of_lists(self) -> str | None:
+        """Return what is wrong with the lists of several publishers, or None."""
+        for name, lists in self._lists.items():
+            if None in lists.all():
+                return f'{name}: {UNREADABLE}, or is too long'
+        return next(filter(None, (lists.complaint() for lists in self._lists.values())), None)
 
     def time_left(self, now: int, settings: PolicyParameters) -> float:
         """

@@ -1,5 +1,6 @@
 """From ROS messages to CrowdState: pure functions that refuse what cannot be true."""
 
+from collections.abc import Sequence
 import dataclasses
 import math
 
@@ -10,6 +11,7 @@ from std_msgs.msg import Header
 
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.stamps import nanoseconds_of
+from socialnav.messages.texts import cut
 from socialnav_core.sensing import HERE, Pose
 from socialnav_core.simulation.kinematics.angles import rotated
 from socialnav_core.states import Agents, CrowdState, Robot
@@ -25,6 +27,10 @@ LARGEST = 1e9
 
 class ConversionError(ValueError):
     """A message that must not be used; the text names the input and what is wrong with it."""
+
+    def __init__(self, text: str) -> None:
+        """Keep the text, or the beginning of a very long one."""
+        super().__init__(cut(text))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -55,8 +61,8 @@ def heading_of(name: str, rotation: Quaternion) -> float:
 def crowd_state(
     odometry: Odometry,
     goal: PoseStamped,
-    pedestrians: AgentStates,
-    obstacles: AgentStates | None,
+    pedestrians: AgentStates | Sequence[AgentStates],
+    obstacles: AgentStates | Sequence[AgentStates] | None,
     body: RobotBody,
     frame: str,
     time: float = 0.0,
@@ -66,13 +72,15 @@ def crowd_state(
     """
     Return the world as the messages tell it, in a frame, pedestrians first; batch of one.
 
+    :param pedestrians: one list or several; all are as of the newest of them.
+    :param obstacles: one list, several or none.
     :param time: since the start of the run, s.
     :param base_frame: frame of the robot.
     :raises ConversionError: a foreign frame, or a number that cannot be.
     """
     position, velocity, heading = robot_arrays(odometry, frame, locate, base_frame)
-    walking = agent_arrays('pedestrians', pedestrians, frame, static=False, locate=locate)
-    standing = agent_arrays('obstacles', obstacles, frame, static=True, locate=locate)
+    walking = merged_arrays('pedestrians', each(pedestrians), frame, static=False, locate=locate)
+    standing = merged_arrays('obstacles', each(obstacles), frame, static=True, locate=locate)
     agents = [np.concatenate(pair)[None] for pair in zip(walking, standing, strict=True)]
     return CrowdState(
         Robot(
@@ -136,6 +144,39 @@ def goal_array(goal: PoseStamped, frame: str, locate: Locate = not_asked) -> np.
     placement = placement_of('goal_pose', goal.header, frame, locate, newest=True)
     position = [goal.pose.position.x, goal.pose.position.y]
     return placement.placed(finite('goal_pose', 'position', position))
+
+
+def each(told: AgentStates | Sequence[AgentStates] | None) -> Sequence[AgentStates]:
+    """Return lists of agents that may be one, several or none."""
+    if told is None:
+        return ()
+    return [told] if isinstance(told, AgentStates) else told
+
+
+def merged_arrays(
+    name: str,
+    messages: Sequence[AgentStates],
+    frame: str,
+    static: bool,
+    locate: Locate = not_asked,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """
+    Return the agents of several lists as agent_arrays() does, moved on to the newest stamp.
+
+    :param name: the input, for errors.
+    """
+    if len(messages) == 1:
+        return agent_arrays(name, messages[0], frame, static, locate)
+    newest = max((nanoseconds_of(one.header.stamp) for one in messages), default=0)
+    told = [agent_arrays(name, None, frame, static, locate)]
+    for message in messages:
+        position, velocity, *rest = agent_arrays(name, message, frame, static, locate)
+        age = (newest - nanoseconds_of(message.header.stamp)) * 1e-9
+        told.append((position + age * velocity, velocity, *rest))
+    position, velocity, radius, standing = (
+        np.concatenate(arrays) for arrays in zip(*told, strict=True)
+    )
+    return position, velocity, radius, standing
 
 
 def agent_arrays(

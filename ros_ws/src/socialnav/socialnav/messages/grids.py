@@ -8,7 +8,13 @@ import numpy as np
 
 from socialnav.messages.conversions import ConversionError, finite, heading_of, placement_of
 from socialnav.messages.frames import Locate, not_asked
-from socialnav_core.sensing import grid_returns, Pose, SurfaceSettings, surrounding_discs
+from socialnav_core.sensing import (
+    grid_returns,
+    pooled,
+    Pose,
+    SurfaceSettings,
+    surrounding_discs,
+)
 from socialnav_core.states import Agents, CrowdState
 
 HALF_DIAGONAL = 0.5**0.5
@@ -16,6 +22,8 @@ HALF_DIAGONAL = 0.5**0.5
 SURFACES = SurfaceSettings()
 NOBODY = np.empty((0, 2)), np.empty(0)
 """Positions and radii of known people, who are in no map."""
+FINEST = 0.05
+"""Side of the cells that finer ones are put together to, about, m; it bounds the work."""
 OCCUPIED = 65
 """Cells of at least so many percent are occupied; unknown ones (-1) are free."""
 
@@ -35,8 +43,7 @@ def grid_discs(
     place = placement_of('map', grid.header, frame, locate, newest=True)
     centre = place.found(robot_position)
     points = place.placed(grid_points(grid, OCCUPIED, centre, SURFACES.max_range))
-    depth = HALF_DIAGONAL * grid.info.resolution
-    return surrounding_discs(points, robot_position, *NOBODY, SURFACES, depth)
+    return surrounding_discs(points, robot_position, *NOBODY, SURFACES, grid_depth(grid))
 
 
 def grid_points(
@@ -55,7 +62,19 @@ def grid_points(
     low = np.clip(np.floor((centre - reach) / resolution), 0, limits).astype(int)
     high = np.clip(np.ceil((centre + reach) / resolution), 0, limits).astype(int)
     window = cells[low[1] : high[1], low[0] : high[0]]
-    return corner.placed(low * resolution + grid_returns(window, resolution, threshold))
+    block = block_of(grid)
+    cells = pooled(window, block)
+    return corner.placed(low * resolution + grid_returns(cells, block * resolution, threshold))
+
+
+def block_of(grid: OccupancyGrid) -> int:
+    """Return the side of the squares of cells that are looked at as one."""
+    return max(round(FINEST / grid.info.resolution), 1)
+
+
+def grid_depth(grid: OccupancyGrid) -> float:
+    """Return how much nearer than a point of grid_points() its surface may be, m."""
+    return HALF_DIAGONAL * block_of(grid) * grid.info.resolution
 
 
 def with_discs(state: CrowdState, centres: np.ndarray, radii: np.ndarray) -> CrowdState:
@@ -95,7 +114,7 @@ def cells_of(grid: OccupancyGrid) -> np.ndarray:
     :raises ConversionError: a grid that cannot be.
     """
     info = grid.info
-    if not 0 < info.resolution < math.inf:
+    if not FINEST / 1000 < info.resolution < math.inf:
         raise ConversionError(f'map: resolution of {info.resolution:g} m')
     if len(grid.data) != info.width * info.height:
         raise ConversionError(

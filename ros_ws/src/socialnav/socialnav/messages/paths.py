@@ -43,16 +43,6 @@ def read_path(data: bytes) -> ReadPath | None:
         return None
 
 
-def list_length(data: bytes) -> int | None:
-    """Return the length of the list after the header of a message; None where there is none."""
-    try:
-        body, order = memoryview(data)[ENCAPSULATION:], ORDERS[data[1]]
-        _, end = text_at(body, STAMP, order)
-        return int(struct.unpack_from(order + 'I', body, aligned(end, 4))[0])
-    except (struct.error, IndexError, KeyError, ValueError):
-        return None
-
-
 def path_in(body: memoryview, order: str) -> ReadPath:
     """
     Return what a path says; errors of many kinds where the bytes are none.

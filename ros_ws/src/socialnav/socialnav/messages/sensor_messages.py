@@ -15,11 +15,17 @@ from socialnav.messages.detection_types import DetectionType
 from socialnav.messages.filling import filled
 from socialnav.messages.stamps import header_message
 from socialnav_core.messages import agent_states_of, header
-from socialnav_core.sensing import Pose, scan_returns, Tracks
+from socialnav_core.sensing import Geometry, Pose, Readings, scan_beams, Tracks
 from socialnav_msgs.msg import AgentStates
 
 Located = Callable[[Header], Pose]
 """Returns the pose of a header's frame at its time; raises a ConversionError where unknown."""
+
+
+REP_117 = Readings()
+"""What ranges that are no distance mean where the driver keeps to REP-117."""
+MOST_DETECTIONS = 300
+"""Number of people in one message above which it is no crowd but an error."""
 
 
 def scan_message(
@@ -44,17 +50,24 @@ def scan_message(
     )
 
 
-def scan_points(message: LaserScan) -> np.ndarray:
+def scan_points(
+    message: LaserScan, readings: Readings = REP_117, reach: float = np.inf
+) -> tuple[np.ndarray, np.ndarray]:
     """
-    Return where a scan hit something, in the frame of the laser, m, (returns, 2).
+    Return where a scan hit something, m, (returns, 2), and where all beams end, m, (beams, 2).
 
-    :raises ConversionError: a scan that measured nothing or cannot be.
+    Both are in the frame of the laser.
+
+    :param readings: what the driver means by ranges that are no distance.
+    :param reach: free beams end here at the latest, m.
+    :raises ConversionError: a scan that measured hardly anything or cannot be.
     """
+    geometry = Geometry(
+        message.angle_min, message.angle_max, message.angle_increment, message.range_min,
+        message.range_max,
+    )  # fmt: skip
     try:
-        return scan_returns(
-            message.ranges, message.angle_min, message.angle_increment, message.range_min,
-            message.range_max,
-        )  # fmt: skip
+        return scan_beams(message.ranges, geometry, readings, reach)
     except ValueError as error:
         raise ConversionError(f'scan: {error}') from error
 
@@ -76,9 +89,12 @@ def detection_points(message: Any, kind: DetectionType, locate: Located) -> np.n
     """
     Return where somebody was seen, m, (detections, 2); all else in the message is ignored.
 
-    :raises ConversionError: a position that cannot be, or a frame that is unknown.
+    :raises ConversionError: a position that cannot be, a frame that is unknown, or a crowd that
+        no detector sees.
     """
     places = [(place.x, place.y) for place in kind.places(message)]
+    if len(places) > MOST_DETECTIONS:
+        raise ConversionError(f'detections: {len(places)} people, more than {MOST_DETECTIONS}')
     points = finite('detections', 'position', places)
     return locate(message.header).placed(points.reshape(-1, 2))
 

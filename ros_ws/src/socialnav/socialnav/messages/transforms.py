@@ -35,15 +35,26 @@ class Transforms:
         :param stamp: at this time, ns; 0 for the newest that is known.
         :raises LookupError: nobody knows, or tf2 is not there; the text says so.
         """
+        try:
+            return placement_of_transform(self.transform(frame, source, stamp))
+        except ConversionError as error:
+            raise LookupError(f'there is no transform to {frame!r}: {error}') from error
+
+    def transform(self, frame: str, source: str, stamp: int = 0) -> TransformStamped:
+        """
+        Return the transform from `source` to `frame`; this may take 0.1 s.
+
+        :param stamp: at this time, ns; 0 for the newest that is known.
+        :raises LookupError: nobody knows, or tf2 is not there; the text says so.
+        """
         if find_spec('tf2_ros') is None:
             raise LookupError(f'everything must be in {frame!r}, since tf2_ros is not installed')
         import tf2_ros
 
         buffer = self._buffer(tf2_ros)
         try:
-            transform = buffer.lookup_transform(frame, source, Time(nanoseconds=stamp), WAIT)
-            return placement_of_transform(transform)
-        except (tf2_ros.TransformException, ConversionError) as error:
+            return buffer.lookup_transform(frame, source, Time(nanoseconds=stamp), WAIT)
+        except tf2_ros.TransformException as error:
             raise LookupError(f'there is no transform to {frame!r}: {error}') from error
 
     def _buffer(self, tf2_ros: Any) -> Any:

@@ -22,9 +22,10 @@ class TrackerParameters:
         0.35, 'radius of everybody, with what the tracker may be wrong by',
         'm', (0.05, 2.0), live='yes',
     )  # fmt: skip
-    hits: int = parameter(
-        2, 'detections that confirm a track; others are not published', '', (1, 100), live='yes'
-    )
+    confirmation_time: float = parameter(
+        0.04, 'time over which a person must have been seen to walk; until then it stands',
+        's', (0.0, 10.0), live='yes',
+    )  # fmt: skip
     coast_time: float = parameter(
         0.5, 'time without a detection after which a track dies', 's', (0.0, 10.0), live='yes'
     )

@@ -4,7 +4,7 @@ import dataclasses
 import math
 
 from helpers.controllers import controller_of, give, LOCKSTEP, SECOND, SETTINGS
-from helpers.worlds import messages_of, random_state
+from helpers.worlds import apart, messages_of, random_state
 import numpy as np
 import pytest
 import torch
@@ -302,7 +302,7 @@ def test_a_look_ahead_chooses_within_the_limits_so_that_none_is_clamped(kinemati
         ValuePolicy(build_network(config), config), settings, steady=lambda: 0.0
     )
     for seed in range(20):
-        give(controller, random_state(seed), SECOND + seed)
+        give(controller, apart(random_state(seed)), SECOND + seed)
         assert controller.decide(SECOND).reason is None
     assert (controller.tally.clamped, controller.tally.decisions) == (0, 20)
 

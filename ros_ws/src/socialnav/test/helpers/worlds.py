@@ -42,6 +42,15 @@ def random_state(seed: int, pedestrians: int = 3, obstacles: int = 2) -> CrowdSt
     )
 
 
+def apart(state: CrowdState) -> CrowdState:
+    """Return a world in which nobody is nearer to the robot than half a metre."""
+    offset = state.agents.position - state.robot.position[:, None]
+    distance = np.linalg.norm(offset, axis=-1)
+    wanted = np.maximum(distance, state.agents.radius + state.robot.radius[:, None] + 0.5)
+    position = state.robot.position[:, None] + offset * (wanted / distance)[..., None]
+    return state.with_agents(position=position)
+
+
 def messages_of(state: CrowdState, stamp: int = 0, frame: str = 'odom') -> dict:
     """Return the four inputs of a policy."""
     return {

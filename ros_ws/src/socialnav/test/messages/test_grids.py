@@ -4,7 +4,7 @@ import dataclasses
 import math
 
 from helpers.controllers import controller_of, SECOND, SETTINGS
-from helpers.worlds import quaternion_of, random_state
+from helpers.worlds import apart, quaternion_of, random_state
 from nav_msgs.msg import OccupancyGrid
 import numpy as np
 import pytest
@@ -146,7 +146,8 @@ def test_every_obstacle_near_the_robot_is_found_again_in_the_map(policy):
 
 def test_what_the_map_shows_takes_no_place_from_people(policy):
     state = random_state(3, pedestrians=5, obstacles=1)
-    state.agents.position[0, 5] = state.robot.position[0] + (0.5, 0.0)
+    state = apart(state)
+    state.agents.position[0, 5] = state.robot.position[0] + (1.0, 0.0)
     controller_with_map(policy, state, max_agents=5).decide(SECOND)
     assert (~policy.states[0].agents.static[0]).sum() == 5
 

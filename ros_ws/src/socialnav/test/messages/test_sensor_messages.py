@@ -41,7 +41,7 @@ def detected(message, locator):
 
 def test_a_scan_is_read_as_it_was_written():
     ranges = np.array([1.0, 2.0, np.inf, 4.0])
-    points = scan_points(scan_message(ranges, 10.0, 0.05, SECOND, 'base_link'))
+    points, _ = scan_points(scan_message(ranges, 10.0, 0.05, SECOND, 'base_link'))
     angles = beam_angles(4)[[0, 1, 3]]
     expected = ranges[[0, 1, 3], None] * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
     np.testing.assert_allclose(points, expected, atol=1e-6)
@@ -56,7 +56,7 @@ def test_a_scan_tells_its_time_frame_and_limits():
 
 
 def test_a_scan_without_a_measurement_is_refused_with_the_reason():
-    with pytest.raises(ConversionError, match='scan: no beam measured anything'):
+    with pytest.raises(ConversionError, match='scan: 0 of 8 beams measured anything'):
         scan_points(scan_message(np.full(8, np.nan), 10.0, 0.05, SECOND, 'laser'))
 
 
@@ -99,7 +99,8 @@ def test_nobody_detected_is_no_position(locator):
 
 
 def test_tracks_become_pedestrians_with_their_names_and_velocities():
-    tracks = Tracks(np.array([7, 2**32 + 1]), POSITIONS, -POSITIONS)
+    known = np.ones(2, dtype=bool)
+    tracks = Tracks(np.array([7, 2**32 + 1]), POSITIONS, -POSITIONS, known)
     agents = tracks_message(tracks, 0.3, SECOND, 'odom').agents
     assert [agent.id for agent in agents] == [7, 1]
     assert (agents[0].position.y, agents[0].velocity.y, agents[0].radius) == (2.0, -2.0, 0.3)

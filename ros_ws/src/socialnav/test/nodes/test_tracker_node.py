@@ -2,6 +2,7 @@
 
 import signal
 
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseArray
 import numpy as np
 import pytest
@@ -24,12 +25,13 @@ class Detector:
         self.graph, self.stamp = graph, SECOND
         self.publisher = graph.node.create_publisher(PoseArray, 'detections', qos.DETECTIONS)
         self.pedestrians = graph.listen(AgentStates, 'pedestrians', qos.PEDESTRIANS)
+        self.health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
         self.process = graph.start('tracker_node', **parameters)
         graph.wait(self.publisher.get_subscription_count, 'node')
 
-    def tell(self, positions, frame='odom', delay=0):
+    def tell(self, positions, frame='odom', delay=0, step=STEP):
         """Publish detections of the next moment, or of one before it, ns."""
-        self.stamp += STEP
+        self.stamp += step
         self.publisher.publish(detections_message(positions, self.stamp - delay, frame))
 
     def answer(self, positions):
@@ -42,6 +44,21 @@ class Detector:
             return self.pedestrians
 
         return self.graph.wait(answered, 'pedestrians')[-1]
+
+    def says(self, words):
+        """Return whether the node's newest diagnosis has these words."""
+        return bool(self.health) and words in self.health[-1].status[0].message
+
+    def while_telling(self, condition, what, *positions, **options):
+        """Publish detections in turn until a condition holds."""
+
+        def holds():
+            for one in positions:
+                self.tell(one, **options)
+                self.graph.spin(0.05)
+            return condition()
+
+        return self.graph.wait(holds, what)
 
 
 def walking(stamp):
@@ -119,3 +136,51 @@ def test_detections_that_come_much_too_late_change_nothing(graph):
     graph.spin(0.5)
     assert len(detector.pedestrians) == before
     assert len(detector.answer(walking).agents) == 2
+
+
+def test_whoever_is_seen_by_a_slow_detector_is_told_and_the_rate_is_called_too_low(graph):
+    detector = Detector(graph)
+    rare = {'step': 6 * SECOND // 10}
+    detector.while_telling(lambda: len(detector.pedestrians) > 8, 'answers', START, **rare)
+    assert all(len(one.agents) == 2 for one in detector.pedestrians)
+    assert not any(agent.velocity.x for one in detector.pedestrians for agent in one.agents)
+    words = 'detections come every 0.60 s, but tracks die after coast_time 0.5 s'
+    detector.while_telling(lambda: detector.says(words), 'diagnosis', START, **rare)
+
+
+def test_somebody_who_is_seen_for_the_first_time_stands(graph):
+    detector = Detector(graph)
+    detector.while_telling(lambda: detector.pedestrians, 'answer', START)
+    assert len(detector.pedestrians[0].agents) == 2
+    assert not any(one.velocity.x for one in detector.pedestrians[0].agents)
+
+
+def test_detections_without_a_stamp_are_not_answered_and_the_reason_is_told(graph):
+    detector = Detector(graph)
+
+    def without_stamp():
+        detector.publisher.publish(detections_message(START, 0, 'odom'))
+        return detector.says('detections without a stamp')
+
+    detector.while_telling(without_stamp, 'diagnosis')
+    assert detector.pedestrians == []
+
+
+def test_two_detectors_whose_clocks_differ_are_not_answered_and_the_reason_is_told(graph):
+    detector = Detector(graph)
+    detector.stamp = 5000 * SECOND
+    far, hour = np.array([[9.0, 9.0]]), 3600 * SECOND
+
+    def told():
+        detector.tell(START)
+        detector.graph.spin(0.05)
+        detector.tell(far, delay=hour)
+        detector.graph.spin(0.05)
+        return detector.says('not in step')
+
+    graph.wait(told, 'diagnosis')
+    detector.pedestrians.clear()
+    for _ in range(10):
+        told()
+    assert detector.pedestrians == []
+    graph.wait(lambda: detector.tell(START) or graph.spin(0.05) or detector.pedestrians, 'trust')
