@@ -38,6 +38,7 @@ class Inputs:
         """
         self._steady = steady
         self._came: dict[str, float] = {}
+        self._outdated: dict[str, float] = {}
         self._newest: dict[str, Any] = {}
         self._unread: set[str] = set()
         self._cancelled: PoseStamped | None = None
@@ -120,12 +121,25 @@ class Inputs:
                 return f'{name}: {UNREADABLE}' + ', or is too long' * (name != 'odom')
         if settings.lockstep:
             return None
-        ages, timeouts, present = self.ages(now), self._timeouts(settings), self._steady()
+        ages, timeouts = self.ages(now), self._timeouts(settings)
         complaints = (
-            age_complaint(name, ages[name], timeouts[name], present - self._came[name])
-            for name in timeouts
+            age_complaint(name, ages[name], timeouts[name], self._here(name, ages[name], timeout))
+            for name, timeout in timeouts.items()
         )
         return next(filter(None, complaints), None)
+
+    def _here(self, name: str, age: float, timeout: float) -> float:
+        """
+        Return how long ago an input came that is too old and was before, s; else infinity.
+
+        Where a clock has jumped, the message before the jump is too old and the next one is not.
+        """
+        if age <= timeout:
+            self._outdated.pop(name, None)
+            return math.inf
+        came = self._came[name]
+        first = self._outdated.setdefault(name, came)
+        return self._steady() - came if came > first else math.inf
 
     def time_left(self, now: int, settings: PolicyParameters) -> float:
         """
