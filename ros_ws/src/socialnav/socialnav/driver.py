@@ -85,9 +85,8 @@ class Driver:
         if self.controller.settings.use_map:
             inputs.append(('map', OccupancyGrid, qos.MAP))
         self.subscriptions = {name: self.create_input(name, *rest) for name, *rest in inputs}
-        self.speakers = Speakers(
-            self.node, list(self.subscriptions.values()), self.controller.hear_of
-        )
+        heard = list(self.subscriptions.values())
+        self.speakers = Speakers(self.node, heard, self.controller.hear_of)
         self.cancelling = self.node.create_service(Trigger, '~/cancel_goal', self.on_cancel)
 
     def create_input(self, name: str, kind: type, profile: QoSProfile) -> Subscription:

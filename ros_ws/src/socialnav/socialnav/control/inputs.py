@@ -43,6 +43,7 @@ class Inputs:
         """
         self._steady = steady
         self._came: dict[str, float] = {}
+        self._outdated: dict[str, float] = {}
         self._newest: dict[str, Any] = {}
         self._lists = {name: Lists(name) for name in LISTS}
         self._unread: set[str] = set()
@@ -157,15 +158,14 @@ class Inputs:
 
     def _complaint_of_ages(self, now: int, settings: PolicyParameters) -> str | None:
         """Return what is wrong with the age of an input, or None."""
-        ages, timeouts, present = self.ages(now), self._timeouts(settings), self._steady()
+        ages, timeouts = self.ages(now), self._timeouts(settings)
         for name, timeout in timeouts.items():
             if name not in LISTS:
                 told = [('', ages[name])]
             else:
                 told = self._lists[name].ages(now, timeout)
+            here = self._here(name, ages[name], timeout) if len(told) == 1 else math.inf
             for node, age in told:
-                # of several lists it is not known when the one in question came
-                here = present - self._came[name] if len(told) == 1 else math.inf
                 text = age_complaint(name, age, timeout, here)
                 if text is not None:
                     return f'{text}, told by {node}' if node and len(told) > 1 else text
@@ -177,6 +177,19 @@ class Inputs:
             if None in lists.all():
                 return f'{name}: {UNREADABLE}, or is too long'
         return next(filter(None, (lists.complaint() for lists in self._lists.values())), None)
+
+    def _here(self, name: str, age: float, timeout: float) -> float:
+        """
+        Return how long ago an input came that is too old and was before, s; else infinity.
+
+        Where a clock has jumped, the message before the jump is too old and the next one is not.
+        """
+        if age <= timeout:
+            self._outdated.pop(name, None)
+            return math.inf
+        came = self._came[name]
+        first = self._outdated.setdefault(name, came)
+        return self._steady() - came if came > first else math.inf
 
     def time_left(self, now: int, settings: PolicyParameters) -> float:
         """

@@ -52,7 +52,7 @@ class PlanFollower:
             return goal
         try:
             if plan is None or complaint is not None:
-                raise ConversionError(complaint)
+                raise ConversionError(complaint or 'plan: none')
             points = plan_points(plan, goal, ahead, frame, locate)
         except ConversionError as error:
             self.note = f'ignored: {error}'

@@ -11,9 +11,13 @@ import struct
 import numpy as np
 from std_msgs.msg import Header
 
-from socialnav.messages.serialized import aligned, ENCAPSULATION, ORDERS, STAMP, text_at
 from socialnav.messages.stamps import header_message
 
+ENCAPSULATION = 4
+"""Bytes before the message, which tell its order of bytes."""
+ORDERS = {0: '>', 1: '<'}
+STAMP = 8
+"""Bytes of a time."""
 POSE = 56
 """Bytes of a pose without its header: seven doubles."""
 MIXED = 'poses in different frames, or cut off'
@@ -39,17 +43,6 @@ def read_path(data: bytes) -> ReadPath | None:
         return None
 
 
-def list_length(data: bytes) -> int | None:
-    """Return the length of a serialized list of agents; None where the bytes are none."""
-    try:
-        body, order = memoryview(data)[ENCAPSULATION:], ORDERS[data[1]]
-        _, frame_end = text_at(body, STAMP, order)
-        _, end = text_at(body, aligned(frame_end, 4), order)  # the source
-        return int(struct.unpack_from(order + 'I', body, aligned(end, 4))[0])
-    except (struct.error, IndexError, KeyError, ValueError):
-        return None
-
-
 def path_in(body: memoryview, order: str) -> ReadPath:
     """
     Return what a path says; errors of many kinds where the bytes are none.
@@ -60,7 +53,7 @@ def path_in(body: memoryview, order: str) -> ReadPath:
     seconds, nanoseconds = struct.unpack_from(order + 'iI', body, 0)
     frame, end = text_at(body, STAMP, order)
     (count,) = struct.unpack_from(order + 'I', body, aligned(end, 4))
-    header = header_message(seconds * 10**9 + nanoseconds, frame.decode())
+    header = header_message(seconds * 10**9 + nanoseconds, frame)
     if count == 0:
         return ReadPath(header, np.zeros((0, 2)), '')
     return ReadPath(header, *poses_at(body, aligned(end, 4) + 4, count, order))
@@ -80,7 +73,7 @@ def poses_at(body: memoryview, offset: int, count: int, order: str) -> tuple[np.
     points = np.empty((count, 2))
     points[0] = struct.unpack_from(order + '2d', body, start - POSE)
     if count == 1:
-        return points, frame.decode()
+        return points, frame
     place = aligned(STAMP + len(named), 8)
     if start + (count - 1) * (place + POSE) > len(body):
         return np.zeros((0, 2)), MIXED
@@ -91,4 +84,18 @@ def poses_at(body: memoryview, offset: int, count: int, order: str) -> tuple[np.
         (count - 1, 2), order + 'f8', body, start + place, (place + POSE, 8)
     )
     points[1:] = numbers
-    return points, frame.decode()
+    return points, frame
+
+
+def text_at(body: memoryview, offset: int, order: str) -> tuple[str, int]:
+    """Return a text, and where it ends; its length comes first and counts a zero at its end."""
+    (length,) = struct.unpack_from(order + 'I', body, offset)
+    end = offset + 4 + length
+    if not 1 <= length <= len(body) - offset - 4:
+        raise ValueError('a text longer than the message')
+    return bytes(body[offset + 4 : end - 1]).decode(), end
+
+
+def aligned(offset: int, size: int) -> int:
+    """Return the next multiple of a size."""
+    return -(-offset // size) * size

@@ -7,11 +7,9 @@ from typing import Any
 from nav_msgs.msg import Odometry, Path
 from rclpy.serialization import deserialize_message
 
-from socialnav.messages.paths import list_length, read_path
+from socialnav.messages.paths import read_path
 from socialnav_msgs.msg import AgentStates
 
-MOST_AGENTS = 2000
-"""Agents of the longest list that is read: rclpy takes 15 ms for a thousand."""
 LONGEST = 256 * 1024
 """Bytes of a message that are read, 4,000 agents: more would keep everything else waiting."""
 
@@ -26,15 +24,9 @@ def message_in(kind: type, data: bytes) -> Any:
         return None
 
 
-def agents_in(data: bytes) -> AgentStates | None:
-    """Return a list of agents; None where the bytes are none, or it is too long."""
-    length = list_length(data)
-    return None if length is None or length > MOST_AGENTS else message_in(AgentStates, data)
-
-
 READERS: dict[type, Callable[[bytes], Any]] = {
     Odometry: partial(message_in, Odometry),
-    AgentStates: agents_in,
+    AgentStates: partial(message_in, AgentStates),
     Path: read_path,
 }
 """How messages are read that are kept as bytes until somebody wants them."""

@@ -4,11 +4,12 @@ import secrets
 import struct
 from typing import Any
 
-from socialnav.messages.serialized import aligned, ENCAPSULATION, ORDERS, STAMP, text_at
 from socialnav.messages.unread import Unread
 
 LONGEST = 200
 """Characters of a source that count."""
+STAMP = 8
+"""Bytes of a stamp."""
 
 
 def new_source(node: str) -> str:
@@ -38,12 +39,27 @@ def serialized_source(data: bytes) -> str:
 
     Reading the whole list costs a hundred times as much, and most lists are replaced unread.
 
-    :param data: the message with its encapsulation.
+    :param data: four bytes of which the second tells the order of bytes, then the message: stamp,
+        frame and source, texts with their length in front and aligned to four bytes.
     """
+    order = '<' if data[1:2] == b'\x01' else '>'
     try:
-        body, order = memoryview(data)[ENCAPSULATION:], ORDERS[data[1]]
-        frame_end = text_at(body, STAMP, order)[1]
-        source = text_at(body, aligned(frame_end, 4), order)[0]
-    except (struct.error, IndexError, KeyError):
+        frame = text_at(data, 4 + STAMP, order)[1]
+        return text_at(data, frame, order)[0].decode(errors='replace')[:LONGEST]
+    except struct.error:
         return ''
-    return source.decode(errors='replace')[:LONGEST]
+
+
+def text_at(data: bytes, start: int, order: str) -> tuple[bytes, int]:
+    """
+    Return a serialized text and where what follows it begins.
+
+    :param start: of its length.
+    :param order: of bytes, as struct has it.
+    :raises struct.error: the data end before.
+    """
+    (length,) = struct.unpack_from(f'{order}I', data, start)
+    end = start + 4 + length
+    if end > len(data):
+        raise struct.error('the data end within a text')
+    return data[start + 4 : max(end - 1, start + 4)], end + -end % 4

@@ -67,7 +67,12 @@ def test_a_stall_is_noticed_after_a_period_and_before_the_robot_must_have_stoppe
 def test_a_stamp_that_is_old_when_the_message_comes_is_a_matter_of_clocks(policy):
     controller = controller_of(policy)
     for age, text in ((2.0, 'are the clocks in step?'), (2e9, 'use_sim_time')):
-        reason = controller.decide(SECOND + int(age * 1e9)).reason
+        now = SECOND + int(age * 1e9)
+        assert controller.decide(now).reason == 'odom older than 0.5 s'  # a clock that jumps
+        policy.now += 0.1
+        give(controller, random_state(0), SECOND)
+        reason = controller.decide(now).reason
+        assert controller.decide(SECOND).reason is None
         assert reason.startswith('odom older than 0.5 s by its stamp, though it has just come')
         assert text in reason
     future = controller_of(policy, stamp=10**18).decide(SECOND).reason

@@ -52,7 +52,7 @@ INPUTS = {
         'pedestrians in a frame that nobody knows', "pedestrians: in frame 'camera'", within=LIMIT
     ),
     'list too long': Fault(
-        '3,000 pedestrians', 'pedestrians: a message that cannot be read, or is too long',
+        '5,000 pedestrians', 'pedestrians: a message that cannot be read, or is too long',
         within=LIMIT,
     ),
     'obstacle nan': Fault('a radius of an obstacle is NaN', 'obstacles: radius', within=LIMIT),

@@ -29,6 +29,8 @@ class Figures:
     """Messages that were sent."""
     calls: int = 0
     """Requests that were answered."""
+    longest: dict[str, float] = dataclasses.field(default_factory=dict)
+    """Longest time from a request to its answer, by service, s."""
     recoveries: list[float] = dataclasses.field(default_factory=list)
     """Times from good inputs to motion, s."""
     answers: list[float] = dataclasses.field(default_factory=list)
@@ -54,6 +56,8 @@ class Figures:
                 )
                 if times
             ),
+            'longest answers: '
+            + ', '.join(f'{name} {time:.2f} s' for name, time in self.longest.items()),
             'memory: ' + ' '.join(f'{one:.0f}' for one in thinned(self.memory)) + ' MB',
         ])  # fmt: skip
 
@@ -83,7 +87,9 @@ class Target:
         began = time.monotonic()
         future = self.clients[service].call_async(request)
         self.graph.wait(future.done, f'answer of {service} to {request}'[:300], PATIENCE)
-        self.figures.answers.append(time.monotonic() - began)
+        duration = time.monotonic() - began
+        self.figures.answers.append(duration)
+        self.figures.longest[service] = max(self.figures.longest.get(service, 0.0), duration)
         self.figures.calls += 1
         return future.result()
 

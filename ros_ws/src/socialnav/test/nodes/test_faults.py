@@ -41,7 +41,7 @@ BAD_FIELDS = [
     ('pedestrian inf', 'pedestrians', 'agents.1.velocity.y', math.inf),
     ('radius negative', 'pedestrians', 'agents.0.radius', -0.3),
     ('pedestrians elsewhere', 'pedestrians', 'header.frame_id', 'camera'),
-    ('list too long', 'pedestrians', 'agents', [AgentState(id=number) for number in range(3000)]),
+    ('list too long', 'pedestrians', 'agents', [AgentState(id=number) for number in range(5000)]),
     ('obstacle nan', 'obstacles', 'agents.0.radius', math.nan),
     ('odom inf', 'odom', 'pose.pose.position.y', -math.inf),
     ('odom far', 'odom', 'pose.pose.position.x', 1e300),

@@ -8,7 +8,7 @@ from helpers.driving import Drive
 from helpers.faults import FAULTS
 from helpers.managed import change_parameters, change_state
 from helpers.plans import plan_of
-from helpers.robot import Robot, speed
+from helpers.robot import KINDS, Robot, speed
 from helpers.worlds import random_state
 from nav_msgs.msg import Path
 import pytest
@@ -50,9 +50,12 @@ def test_each_input_that_never_comes_is_named_and_so_is_one_of_another_type(grap
         restart(drive)
         drive.until(False, FAULTS[name].said, state, name, without=[topic])
         if topic == 'obstacles':
+            graph.node.destroy_publisher(drive.robot.publishers.pop(topic))
             change(drive, require_obstacles=False)
             drive.moves(state, without=[topic])
             change(drive, require_obstacles=True)
+            kind, profile = KINDS[topic]
+            drive.robot.publishers[topic] = graph.node.create_publisher(kind, topic, profile)
     restart(drive)
     graph.node.destroy_publisher(drive.robot.publishers.pop('odom'))
     drive.until(False, FAULTS['nobody publishes'].said, state, 'nobody', without=['odom'])
