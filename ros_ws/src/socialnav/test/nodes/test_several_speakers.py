@@ -83,7 +83,7 @@ def test_an_obstacle_node_that_was_killed_and_started_anew_leaves_no_ghost(graph
 
 
 def test_publishers_that_cannot_be_told_apart_are_named_and_the_robot_stands(graph):
-    drive, robot = Drive(graph), Measuring(graph)
+    drive, robot = Drive(graph, require_obstacles=False), Measuring(graph)
     robot.until(drive.ahead, 'motion')
     other = graph.node.create_publisher(AgentStates, 'pedestrians', qos.PEDESTRIANS)
     words = 'pedestrians: several publishers do not fill in their source: /probe'
@@ -96,7 +96,8 @@ def test_publishers_that_cannot_be_told_apart_are_named_and_the_robot_stands(gra
 
 
 def test_people_of_two_trackers_are_all_avoided(graph):
-    drive, robot = Drive(graph), Measuring(graph, people=False)
+    robot = Measuring(graph, people=False)
+    drive = Drive(graph, require_obstacles=False)
     publishers = {
         source: graph.node.create_publisher(AgentStates, 'pedestrians', qos.PEDESTRIANS)
         for source in ('/front:1', '/rear:1')
