@@ -44,6 +44,6 @@ def export_network(network: nn.Module, path: Path) -> None:
             dynamic_shapes=({0: rows}, crowd, crowd), dynamo=True, verbose=False,
         )  # fmt: skip
     buffer = io.BytesIO()
-    program.save(buffer)  # type: ignore[union-attr]
+    program.save(buffer)  # type: ignore[arg-type, union-attr]
     path.parent.mkdir(parents=True, exist_ok=True)
     atomic_write(path, buffer.getvalue())
