@@ -180,9 +180,20 @@ def distance_at(field, frame, x, y, goal_x, goal_y):  # type: ignore[no-untyped-
 @inlined
 def way_down(field, frame, x, y, goal_x, goal_y):  # type: ignore[no-untyped-def]
     """Return the unit vector in which the distance to the goal falls fastest, and the distance."""
+    distance = distance_at(field, frame, x, y, goal_x, goal_y)
+    down_x, down_y = slope(field, frame, x, y, goal_x, goal_y, distance)
+    return down_x, down_y, distance
+
+
+@inlined
+def slope(field, frame, x, y, goal_x, goal_y, distance):  # type: ignore[no-untyped-def]
+    """
+    Return the unit vector in which the distance to the goal falls fastest.
+
+    :param distance: to the goal from there, m.
+    """
     ahead_x, ahead_y = goal_x - x, goal_y - y
     straight = length(ahead_x, ahead_y)
-    distance = distance_at(field, frame, x, y, goal_x, goal_y)
     if distance > straight + IN_SIGHT and straight > PROBE:
         u, v = (x - frame.x) * frame.cells, (y - frame.y) * frame.cells
         probe = PROBE * frame.cells
@@ -191,7 +202,7 @@ def way_down(field, frame, x, y, goal_x, goal_y):  # type: ignore[no-untyped-def
         ahead_y = interpolated(field, frame.last, u, v - probe)
         ahead_y -= interpolated(field, frame.last, u, v + probe)
     scale = 1.0 / max(length(ahead_x, ahead_y), 1e-9)
-    return ahead_x * scale, ahead_y * scale, distance
+    return ahead_x * scale, ahead_y * scale
 
 
 @inlined

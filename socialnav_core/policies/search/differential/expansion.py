@@ -16,8 +16,12 @@ from socialnav_core.policies.search.differential.lattice import (
     Y,
 )
 from socialnav_core.policies.search.differential.moves import write_speeds, write_turns
-from socialnav_core.policies.search.differential.remaining import angle_between, remaining_time
-from socialnav_core.policies.search.fields import way_down
+from socialnav_core.policies.search.differential.remaining import (
+    angle_between,
+    driving_time,
+    turning_time,
+)
+from socialnav_core.policies.search.fields import distance_at, slope, way_down
 from socialnav_core.policies.search.nearness import add_people, choose_near, choose_near_discs
 from socialnav_core.policies.search.search import LEAST_REMAINING
 
@@ -82,14 +86,9 @@ def expand(  # type: ignore[no-untyped-def]
                 place, target, bound, remaining = 0, -1, min(arrival, reached), 0.0
                 if not arrives:
                     bound = min(bound, least + lattice.slack)
-                    down_x, down_y, left = way_down(
-                        field, frame, to_x, to_y, trip.goal_x, trip.goal_y
-                    )
-                    left = max(left - trip.tolerance, LEAST_REMAINING)
-                    error = angle_between(to_x_axis, to_y_axis, down_x, down_y)
-                    remaining = remaining_time(
-                        base, trip, lattice, left, error, to_speed, to_turn_rate
-                    )
+                    distance = distance_at(field, frame, to_x, to_y, trip.goal_x, trip.goal_y)
+                    left = max(distance - trip.tolerance, LEAST_REMAINING)
+                    remaining = driving_time(base, trip.speed, left, to_speed)
                     if so_far + remaining >= bound:
                         continue
                     number = cell_number(
@@ -101,6 +100,15 @@ def expand(  # type: ignore[no-untyped-def]
                         bound = min(bound, following[target, TOTAL])
                     elif filled == arrival_node:
                         continue
+                    if so_far + remaining >= bound:
+                        continue
+                    down_x, down_y = slope(
+                        field, frame, to_x, to_y, trip.goal_x, trip.goal_y, distance
+                    )
+                    error = angle_between(to_x_axis, to_y_axis, down_x, down_y)
+                    remaining += lattice.turn_loss * turning_time(
+                        base, trip.speed, lattice.arc_share, left, error, to_turn_rate
+                    )
                     cells[place] = number
                 total = so_far + remaining
                 if total >= bound:

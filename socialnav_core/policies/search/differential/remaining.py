@@ -12,21 +12,12 @@ def angle_between(from_x, from_y, to_x, to_y):  # type: ignore[no-untyped-def]
 
 
 @inlined
-def remaining_time(base, trip, lattice, left, error, speed, turn_rate):  # type: ignore[no-untyped-def]
+def driving_time(base, preferred, left, speed):  # type: ignore[no-untyped-def]
     """
-    Return the time to turn towards the way to the goal and to drive it, s.
+    Return the time for a straight way from a speed on, at most at the preferred one, s.
 
     :param left: length of the way, m.
-    :param error: from the heading to the way, rad.
     """
-    return driving_time(base, trip.speed, left, speed) + lattice.turn_loss * turning_time(
-        base, trip.speed, lattice.arc_share, left, error, turn_rate
-    )
-
-
-@inlined
-def driving_time(base, preferred, left, speed):  # type: ignore[no-untyped-def]
-    """Return the time for a straight way from a speed on, at most at the preferred one, s."""
     lacking = (preferred * preferred - speed * speed) / (2.0 * base.acceleration)
     if left < lacking:
         gained = math.sqrt(speed * speed + 2.0 * base.acceleration * left)
@@ -38,11 +29,13 @@ def driving_time(base, preferred, left, speed):  # type: ignore[no-untyped-def]
 @inlined
 def turning_time(base, preferred, share, left, error, turn_rate):  # type: ignore[no-untyped-def]
     """
-    Return the time that a turn costs, s.
+    Return the time that a turn costs, s; never less than nothing.
 
     On the spot it is |e| / w. On an arc the robot nears the goal meanwhile: (|e| - sin |e|) / w,
     where the goal is farther away than the arc is wide. A turn under way ends only after
     w |w| / (2 a).
+
+    :param error: from the heading to the way, rad.
     """
     error -= turn_rate * abs(turn_rate) / (2.0 * base.angular_acceleration)
     error = min(abs(error), math.pi + 0.5)
