@@ -154,7 +154,7 @@ def world_of(table: Table, values: Mapping[str, Any]) -> Scenario:
         except TypeError as error:
             raise ConfigError(f'tables.{table.name}.{axis} cannot be {value!r}') from error
         words.append(f'{axis} {value}')
-    return dataclasses.replace(scenario, name=', '.join(words))
+    return dataclasses.replace(scenario, name=' '.join(words))
 
 
 def grid_mapping(config: GridConfig) -> dict[str, Any]:

@@ -77,7 +77,7 @@ def test_results_with_noise_do_not_depend_on_the_batch_size():
 
 @pytest.mark.parametrize('settings', [{'missed': 1.0}, {'reach': 0.0}, {'position_noise': -1.0}])
 def test_sensors_that_cannot_be_are_refused(settings):
-    with pytest.raises(ConfigError, match='observation'):
+    with pytest.raises(ConfigError, match='must lie in'):
         ObservationConfig(**settings)
 
 
