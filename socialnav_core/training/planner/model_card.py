@@ -25,7 +25,7 @@ LIMITS = """## Limits
 
 - It learned among simulated people, who do not see the robot.
 - The network sees the nearest 20 people and obstacles, and no walls; the search knows them all.
-- The prediction of people has limits of its own: see its card."""
+- The prediction of people (models/prediction) has limits of its own: see its card."""
 
 
 def write_planner_card(folder: Path, planner: Planner) -> None:

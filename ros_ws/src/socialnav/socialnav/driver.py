@@ -17,7 +17,7 @@ from std_srvs.srv import Trigger
 from socialnav import qos
 from socialnav.control.controller import Controller
 from socialnav.control.diagnostics import controller_facts
-from socialnav.control.models import ready_policy
+from socialnav.control.models import named_model, ready_policy
 from socialnav.control.settings import controller_settings
 from socialnav.messages.frames import not_asked
 from socialnav.messages.reading import READERS
@@ -226,7 +226,7 @@ class Driver:
         """Return what diagnostics tell."""
         ages = self.controller.input_ages(self.node.get_clock().now().nanoseconds)
         controller = self.controller
-        model, plan = self.made_for.model, controller.plan.note
+        model, plan = named_model(self.made_for)[0], controller.plan.note
         idle = controller.progress.idle
         facts = controller_facts(model, plan, idle, ages, controller.tally)
         return facts | self.punctuality.facts()

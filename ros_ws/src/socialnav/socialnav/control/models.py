@@ -10,6 +10,7 @@ import numpy as np
 import torch
 
 from socialnav.messages.conversions import RobotBody
+from socialnav.parameters import DEFAULT_MODEL
 from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.config import ConfigError
 from socialnav_core.policies import load_policy, Policy
@@ -19,6 +20,11 @@ from socialnav_core.threads import set_threads
 
 NAME = re.compile(r'\w[\w.-]*')
 """What a name of a model looks like; anything else is a path."""
+DEFAULTS: dict[str, tuple[str, dict[str, Any]]] = {
+    'holonomic': (DEFAULT_MODEL, {}),
+    'differential': ('search', {'lookahead': 'learned'}),
+}
+"""Model that drives a base where none is named, and what is changed of it, by kinematics."""
 SCREENING = {'checkpoint': None, 'enabled': True, 'disabled': False}
 
 
@@ -30,14 +36,15 @@ def ready_policy(settings: PolicyParameters) -> Policy:
     """
     torch.set_num_threads(settings.threads)
     set_threads(settings.threads)
-    model, overrides = installed(settings.model), chosen_overrides(settings)
+    name, _ = named_model(settings)
+    model, overrides = installed(name), chosen_overrides(settings)
     policy = load_policy(model, **overrides)
     if policy.description.knowledge == 'oracle':  # which exists in simulation only
-        policy = load_policy(model, lookahead='constant_velocity', **overrides)
+        policy = load_policy(model, **(overrides | {'lookahead': 'constant_velocity'}))
     kinematics = policy.description.kinematics
     if kinematics != settings.kinematics:
         raise ConfigError(
-            f'model {settings.model} drives a {kinematics} robot, not a '
+            f'model {name} drives a {kinematics} robot, not a '
             f'{settings.kinematics} one: change the parameter kinematics or the model'
         )
     policy.act(example_state(settings.body), settings.limits)
@@ -45,9 +52,16 @@ def ready_policy(settings: PolicyParameters) -> Policy:
     return policy
 
 
+def named_model(settings: PolicyParameters) -> tuple[str, dict[str, Any]]:
+    """Return the model that is asked for, and what is changed of it where none is named."""
+    return (settings.model, {}) if settings.model else DEFAULTS[settings.kinematics]
+
+
 def chosen_overrides(settings: PolicyParameters) -> dict[str, Any]:
     """Return the settings of a policy that the parameters of the policy node change, by name."""
-    return suited(settings.model, settings.kinematics) | {
+    name, changes = named_model(settings)
+    return suited(name, settings.kinematics) | changes | {
+        'lookahead': settings.lookahead or changes.get('lookahead'),
         'screening': SCREENING[settings.screening],
         'screening.horizon': settings.screening_horizon or None,
         'device': None if settings.device == 'cpu' else settings.device,

@@ -1,3 +1,3 @@
 """Every parameter of every node, in one dataclass each, and how nodes come by their values."""
 
-DEFAULT_MODEL = 'search'
+DEFAULT_MODEL = 'socialnav'

@@ -4,7 +4,6 @@ import dataclasses
 import math
 
 from socialnav.messages.conversions import RobotBody
-from socialnav.parameters import DEFAULT_MODEL
 from socialnav.parameters.fields import parameter
 from socialnav_core.config import KINEMATICS
 from socialnav_core.simulation.kinematics import Limits
@@ -21,8 +20,13 @@ class PolicyParameters:
         True, 'configure and activate at start, without a lifecycle manager'
     )
     model: str = parameter(
-        DEFAULT_MODEL, 'name in the share folder, path, `search`, `orca` or `straight_line`',
+        '', 'name in the share folder, path, or a policy without network such as `search`; empty: '
+        '`socialnav` for a holonomic base, `search` with `lookahead: learned` for a differential one',
         live='inactive',
+    )  # fmt: skip
+    lookahead: str = parameter(
+        '', 'prediction of people: `constant_velocity` or `learned`; empty: that of the model',
+        choices=('', 'constant_velocity', 'learned'), live='inactive',
     )  # fmt: skip
     screening: str = parameter(
         'checkpoint', 'refuse actions after which a collision is certain; checkpoint: as saved',

@@ -69,7 +69,7 @@ def test_a_case_ends_alike_offline_and_through_the_graph(graph, model, scenario,
 
 
 def test_a_differential_drive_arrives_by_the_default_model_as_it_does_offline(graph):
-    results = compare(graph, DEFAULT_MODEL, 'hard', FEW, kinematics='differential')
+    results = compare(graph, 'search', 'hard', FEW, kinematics='differential')
     assert [result.outcome for result in results].count('goal') >= FEW - 1
 
 
