@@ -19,6 +19,10 @@ def stored_names():
     return sorted(path.parent.name for path in MODELS.glob('*/weights.safetensors'))
 
 
+def stored_planners():
+    return sorted(path.parent.name for path in MODELS.glob('*/planner.safetensors'))
+
+
 def visited_states(scenario):
     """Return worlds as ORCA leaves them after some steps, one batch."""
     simulator = Simulator(make_scenario(scenario), WORLDS)
@@ -40,6 +44,8 @@ def store():
             for variant, options in VARIANTS.items():
                 action = load_policy(model, **options).decide(state).action
                 arrays[f'{scenario}/{variant}/{model}'] = action.astype(np.int16)
+        for model in stored_planners():
+            arrays[f'{scenario}/planner/{model}'] = load_policy(model).act(state)
         arrays[f'{scenario}/orca'] = load_policy('orca').act(state)
     STORED.parent.mkdir(exist_ok=True)
     np.savez_compressed(STORED, **arrays)
