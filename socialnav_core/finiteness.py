@@ -8,6 +8,7 @@ from socialnav_core.states import CrowdState
 FIELDS = (
     'robot.position', 'robot.velocity', 'robot.heading', 'robot.radius', 'robot.preferred_speed',
     'robot.goal', 'bounds', 'agents.position', 'agents.velocity', 'agents.radius',
+    'robot.turn_rate',
 )  # fmt: skip
 """What is looked at, in the order in which the kernel numbers it."""
 FIELD_COUNT = len(FIELDS)
@@ -23,6 +24,7 @@ def require_finite(state: CrowdState) -> None:
     found = _first_fault(
         robot.position, robot.velocity, robot.heading, robot.radius, robot.preferred_speed,
         robot.goal, state.bounds, agents.position, agents.velocity, agents.radius, agents.valid,
+        robot.turn_rate,
     )  # fmt: skip
     if found >= 0:
         world, field = divmod(found, FIELD_COUNT)
@@ -38,7 +40,7 @@ def finite(number):  # type: ignore[no-untyped-def]
 @compiled
 def _first_fault(  # type: ignore[no-untyped-def]
     position, velocity, heading, radius, speed, goal, bounds,
-    agent_position, agent_velocity, agent_radius, valid,
+    agent_position, agent_velocity, agent_radius, valid, turn_rate,
 ):  # fmt: skip
     """Return the first fault as world * FIELD_COUNT + field, -1 for none."""
     for world in range(bounds.shape[0]):
@@ -57,6 +59,8 @@ def _first_fault(  # type: ignore[no-untyped-def]
             return first + 5
         if math.isnan(bounds[world]):
             return first + 6
+        if not finite(turn_rate[world]):
+            return first + 10
         for i in range(valid.shape[1]):
             if not valid[world, i]:
                 continue

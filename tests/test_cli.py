@@ -415,6 +415,7 @@ STOPPED = """
 import os, signal, sys
 from socialnav_core import cli
 from socialnav_core.commands import metrics
+signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored where tests run behind
 metrics.run = lambda given: os.kill(os.getpid(), int(sys.argv[1])) or signal.pause()
 sys.exit(cli.main(['metrics']))
 """

@@ -16,6 +16,7 @@ from socialnav_core.compilation import compiled
 from socialnav_core.config import SearchConfig
 from socialnav_core.config.ranges import Range, require_allowed
 from socialnav_core.config.training import LARGEST_SEED
+from socialnav_core.finiteness import require_finite
 from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.policies.search.costs import COLLISION, cost_of_gap, length
 from socialnav_core.policies.search.fields import distance_at, frame_of, GeodesicCache, way_down
@@ -109,6 +110,7 @@ class MppiPolicy:
 
         :param limits: not used: the sampler has no inertia.
         """
+        require_finite(state)
         worlds, times = worlds_of(state), np.cumsum(self._lattice.durations)
         prediction = self.predictor.predict(state, times)
         modes, agents = prediction.positions.shape[1], prediction.positions.shape[3]

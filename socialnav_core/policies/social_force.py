@@ -6,6 +6,7 @@ from typing import Annotated
 import numpy as np
 
 from socialnav_core.config.ranges import Range, require_allowed
+from socialnav_core.finiteness import require_finite
 from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.policies.straight_line import preferred_velocity
 from socialnav_core.simulation.crowds.social_force_kernel import social_force_step
@@ -48,6 +49,7 @@ class SocialForcePolicy:
 
     def act(self, state: CrowdState, limits: Limits | None = None) -> np.ndarray:
         """Return the commands, (batch, 2), at most of preferred speed."""
+        require_finite(state)
         everybody = state.robot.as_agents().append(state.agents)
         preferred, speed = np.zeros_like(everybody.position), np.zeros_like(everybody.radius)
         preferred[:, 0], speed[:, 0] = preferred_velocity(state), state.robot.preferred_speed

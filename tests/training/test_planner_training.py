@@ -95,7 +95,7 @@ def test_a_run_that_was_stopped_ends_with_the_same_weights(tmp_path, monkeypatch
     counted = learning.stop_or_count
 
     def stop_in_round_two(interruption, bar, run, out):
-        interruption.requested = run.rounds == 1
+        interruption.number = 2 * (run.rounds == 1)
         counted(interruption, bar, run, out)
 
     with monkeypatch.context() as patch:
@@ -109,7 +109,7 @@ def test_a_run_that_was_stopped_ends_with_the_same_weights(tmp_path, monkeypatch
 
 def test_another_configuration_cannot_go_on_with_a_run(tmp_path, monkeypatch):
     def stop(interruption, bar, run, out):
-        interruption.requested = run.rounds == 1
+        interruption.number = 2 * (run.rounds == 1)
         counted(interruption, bar, run, out)
 
     counted = learning.stop_or_count

@@ -196,5 +196,5 @@ def test_it_is_found_by_the_kinematics():
     {'arc_share': 1.1},
 ])  # fmt: skip
 def test_settings_that_describe_no_base_or_search_are_refused(setting):
-    with pytest.raises(ConfigError, match='differential'):
+    with pytest.raises(ConfigError, match='must lie in'):
         DifferentialConfig(**setting)
