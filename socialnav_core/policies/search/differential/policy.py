@@ -3,6 +3,7 @@
 import numpy as np
 
 from socialnav_core.config import ConfigError, SearchConfig
+from socialnav_core.finiteness import require_finite
 from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.policies.search.differential.base import base_of
 from socialnav_core.policies.search.differential.lattice import make_lattice, make_workspace
@@ -69,6 +70,7 @@ class DifferentialSearchPolicy:
 
         :param limits: of the robot; where they are infinite, those of the settings count.
         """
+        require_finite(state)
         base = base_of(self.settings, limits)
         if base.period != self._lattice.durations[0]:
             self._lattice = make_lattice(self.settings, base.period)
