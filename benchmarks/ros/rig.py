@@ -83,6 +83,11 @@ class Rig:
             self.publishers[name].publish(filled(kind, contents[name]))
             self.stamps[name] = now
 
+    def give_up(self, name: str) -> None:
+        """Publish on a topic no more."""
+        if name in self.publishers:
+            self.node.destroy_publisher(self.publishers.pop(name))
+
     def on_command(self, twist: Twist) -> None:
         """Note when a command came, s since the epoch, and whether the robot shall move."""
         moving = bool(twist.linear.x or twist.linear.y or twist.angular.z)

@@ -103,6 +103,7 @@ def kill_simulator(rig: Rig, **parameters: object) -> float | None:
     :param parameters: of the simulator, besides the scenario.
     """
     rig.silent.update(KINDS)
+    rig.give_up('pedestrians')  # else its silence, too, stops the robot
     rig.wait(lambda: not rig.drives(), 'standstill')
     values = {'scenario': 'simple'} | parameters
     with running_nodes({'simulator_node': values}, os.environ) as nodes:

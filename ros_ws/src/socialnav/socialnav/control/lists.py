@@ -66,7 +66,7 @@ class Lists:
 
     def hear_of(self, publishers: Sequence[str]) -> None:
         """
-        Take note of who publishes; forget processes that are gone and have been started anew.
+        Take note of who publishes; forget processes that are gone while others go on.
 
         :param publishers: full names of their nodes.
         """
@@ -75,6 +75,9 @@ class Lists:
             processes = [source for source in self._told if source and node_of(source) == node]
             for source in processes[: max(len(processes) - count, 0)]:  # the longest silent
                 del self._told[source]
+        named = Counter(node_of(source) for source in self._told if source)
+        if publishers and not Counter(publishers) - named:  # whoever gave no name has left
+            self._told.pop('', None)
 
     def complaint(self) -> str | None:
         """Return why not everybody who speaks is heard, or None."""

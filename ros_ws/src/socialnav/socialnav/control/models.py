@@ -10,11 +10,11 @@ import numpy as np
 import torch
 
 from socialnav.messages.conversions import RobotBody
-from socialnav.parameters import DEFAULT_MODEL
+from socialnav.parameters import AUTO, DEFAULT_MODEL
 from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.config import ConfigError
 from socialnav_core.policies import load_policy, Policy
-from socialnav_core.policies.loading import suited, WITHOUT_NETWORK
+from socialnav_core.policies.loading import is_model, suited, WITHOUT_NETWORK
 from socialnav_core.states import Agents, CrowdState, Robot
 from socialnav_core.threads import set_threads
 
@@ -54,18 +54,23 @@ def ready_policy(settings: PolicyParameters) -> Policy:
 
 def named_model(settings: PolicyParameters) -> tuple[str, dict[str, Any]]:
     """Return the model that is asked for, and what is changed of it where none is named."""
-    return (settings.model, {}) if settings.model else DEFAULTS[settings.kinematics]
+    return DEFAULTS[settings.kinematics] if settings.model == AUTO else (settings.model, {})
 
 
 def chosen_overrides(settings: PolicyParameters) -> dict[str, Any]:
     """Return the settings of a policy that the parameters of the policy node change, by name."""
     name, changes = named_model(settings)
-    return suited(name, settings.kinematics) | changes | {
-        'lookahead': settings.lookahead or changes.get('lookahead'),
-        'screening': SCREENING[settings.screening],
-        'screening.horizon': settings.screening_horizon or None,
-        'device': None if settings.device == 'cpu' else settings.device,
-    }
+    asked = {} if settings.lookahead == 'checkpoint' else {'lookahead': settings.lookahead}
+    return (
+        suited(name, settings.kinematics)
+        | changes
+        | asked
+        | {
+            'screening': SCREENING[settings.screening],
+            'screening.horizon': settings.screening_horizon or None,
+            'device': None if settings.device == 'cpu' else settings.device,
+        }
+    )
 
 
 def installed(model: str) -> str:
@@ -81,7 +86,7 @@ def installed(model: str) -> str:
     for folder in (models / model, model):
         if os.path.isdir(folder):  # no error for what cannot be a path
             return str(folder)
-    known = sorted(path.name for path in models.glob('*')) if models.is_dir() else []
+    known = sorted(path.name for path in models.glob('*') if is_model(path))
     raise ConfigError(
         f'no model {model!r}: give the folder of a checkpoint or '
         f'{", ".join([*WITHOUT_NETWORK, *known])}'

@@ -4,6 +4,7 @@ import dataclasses
 import math
 
 from socialnav.messages.conversions import RobotBody
+from socialnav.parameters import AUTO
 from socialnav.parameters.fields import parameter
 from socialnav_core.config import KINEMATICS
 from socialnav_core.simulation.kinematics import Limits
@@ -20,13 +21,14 @@ class PolicyParameters:
         True, 'configure and activate at start, without a lifecycle manager'
     )
     model: str = parameter(
-        '', 'name in the share folder, path, or a policy without network such as `search`; empty: '
-        '`socialnav` for a holonomic base, `search` with `lookahead: learned` for a differential one',
+        AUTO, 'name in the share folder, path, or a policy without network such as `search`; '
+        'auto: `socialnav` for a holonomic base, `search` with `lookahead: learned` for a '
+        'differential one',
         live='inactive',
     )  # fmt: skip
     lookahead: str = parameter(
-        '', 'prediction of people: `constant_velocity` or `learned`; empty: that of the model',
-        choices=('', 'constant_velocity', 'learned'), live='inactive',
+        'checkpoint', 'prediction of people; checkpoint: that of the model',
+        choices=('checkpoint', 'constant_velocity', 'learned'), live='inactive',
     )  # fmt: skip
     screening: str = parameter(
         'checkpoint', 'refuse actions after which a collision is certain; checkpoint: as saved',

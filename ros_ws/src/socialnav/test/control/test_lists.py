@@ -116,3 +116,15 @@ def test_a_robot_stands_when_one_of_several_publishers_falls_silent():
     controller.store('odom', messages_of(random_state(0), 2 * SECOND)['odom'])
     reason = controller.decide(2 * SECOND).reason
     assert reason == f'pedestrians older than {SETTINGS.input_timeout:g} s, told by /a'
+
+
+def test_the_list_of_who_gave_no_name_goes_with_its_publisher():
+    here = lists_of(('', 1), ('/a:1', 2), publishers=('/a', '/nameless'))
+    assert ids(here) == [1, 2]
+    here.hear_of(('/a',))
+    assert ids(here) == [2]
+
+
+def test_who_gave_no_name_is_kept_until_another_is_heard():
+    waiting = lists_of(('', 1), publishers=('/a',))
+    assert ids(waiting) == [1]

@@ -35,7 +35,7 @@ def test_a_name_is_that_of_a_model_of_the_package_wherever_the_node_was_started(
 
 
 def test_a_name_that_nothing_has_is_answered_with_those_that_there_are():
-    with pytest.raises(ValueError, match=f'orca, straight_line, search, .*{NETWORK}'):
+    with pytest.raises(ValueError, match=f'orca, straight_line, .*search, .*{NETWORK}'):
         load('nobody')
 
 
@@ -61,6 +61,21 @@ def test_whatever_is_no_checkpoint_is_one_line_about_what_could_be_given(name):
     with pytest.raises(ValueError, match='no model') as error:
         load(name)
     assert '\n' not in str(error.value)
+
+
+def test_the_model_suits_the_base_where_none_is_named():
+    plain = policy_of().description
+    assert (plain.name, plain.kinematics, plain.prediction) == (
+        'socialnav', 'holonomic', 'learned',
+    )  # fmt: skip
+    turning = policy_of(kinematics='differential').description
+    assert (turning.name, turning.kinematics, turning.prediction) == (
+        'search', 'differential', 'learned',
+    )  # fmt: skip
+
+
+def test_another_prediction_is_one_parameter_away():
+    assert policy_of(lookahead='constant_velocity').description.prediction == 'constant_velocity'
 
 
 @pytest.mark.parametrize('name', ['/etc/passwd', '../hard', f'{SHARE}/{NETWORK}/config.yaml'])

@@ -10,7 +10,6 @@ import torch
 
 from socialnav import qos
 from socialnav.messages.stamps import nanoseconds_of
-from socialnav.parameters import DEFAULT_MODEL
 from socialnav_core.config import Config, PolicyConfig
 from socialnav_core.messages.results import COARSE_OUTCOMES
 from socialnav_core.policies import build_network, load_policy

@@ -192,6 +192,7 @@ def test_what_the_map_shows_is_no_longer_driven_into(graph):
     graph.start('policy_node', model='orca', use_map=True, require_obstacles=False)
     robot, state = Robot(graph), random_state(0, pedestrians=0, obstacles=1)
     robot.wait()
+    graph.node.destroy_publisher(robot.publishers.pop('obstacles'))  # of whom nothing is heard
     state.robot.heading[:], state.robot.velocity[:] = 0.0, 0.0
     state.robot.goal[:] = state.robot.position + [[5.0, 0.0]]
     state.agents.position[:], state.agents.radius[:] = state.robot.position + [[0.9, 0.0]], 0.5
