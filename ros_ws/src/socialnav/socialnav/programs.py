@@ -47,6 +47,8 @@ def start(module: str, interrupted: int = 0) -> None:
     :param interrupted: exit code after a signal that comes before main().
     """
     take_signals(lambda *_: os._exit(interrupted))
+    # NumPy's other threads would wait for the next product by spinning: a whole core at 10 Hz
+    os.environ.setdefault('OPENBLAS_NUM_THREADS', '1')
     import_module(f'{__package__}.{module}').main()
 
 
