@@ -8,8 +8,6 @@ from importlib.metadata import entry_points
 import os
 import signal
 import sys
-import threading
-from types import FrameType
 from typing import Any
 
 from socialnav_core import __version__
@@ -33,6 +31,7 @@ from socialnav_core.commands import (
 from socialnav_core.commands.arguments import CommandFailure, one_line, Parser
 from socialnav_core.config import ConfigError
 from socialnav_core.extras import MissingExtra
+from socialnav_core.termination import terminated_like_interrupted
 
 COMMANDS = (
     train, evaluate, compare, render, benchmark, models, metrics, scenarios, settings,
@@ -93,24 +92,6 @@ def named_output() -> Iterator[None]:
 def discard_output() -> None:
     """Let nothing more be written to standard output."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
-@contextlib.contextmanager
-def terminated_like_interrupted() -> Iterator[None]:
-    """Let SIGTERM end the block as Ctrl-C does, so that no half-written file stays behind."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    previous = signal.signal(signal.SIGTERM, raise_interrupt)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, previous)
-
-
-def raise_interrupt(number: int, frame: FrameType | None) -> None:
-    """Raise KeyboardInterrupt, which keeps the number of the signal."""
-    raise KeyboardInterrupt(number)
 
 
 def build_parser() -> argparse.ArgumentParser:

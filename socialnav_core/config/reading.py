@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from socialnav_core.config.documents import read_yaml, told_with_place
 from socialnav_core.config.grid import grid_from, GridConfig
@@ -12,6 +12,8 @@ from socialnav_core.config.prediction import PredictionConfig
 from socialnav_core.config.ranges import shown
 from socialnav_core.config.scenarios import resolve_scenario
 from socialnav_core.config.training import Config
+
+Settings = TypeVar('Settings', bound=Any)
 
 RECIPES = Path(__file__).parent / 'recipes'
 PREDICTIONS = RECIPES / 'prediction'
@@ -52,10 +54,7 @@ def read_prediction_config(
     :param assignments: dotted settings and their values, such as {'training.updates': 1000}.
     :raises ConfigError: when the file or a setting does not exist or makes no sense.
     """
-    path = find_config(source, PREDICTIONS)
-    values = read_values(path, assignments or {})
-    with told_with_place(path, assignments or {}):
-        return from_mapping(PredictionConfig, values)
+    return read_as(PredictionConfig, find_config(source, PREDICTIONS), assignments or {})
 
 
 def read_planner_config(
@@ -68,10 +67,14 @@ def read_planner_config(
     :param assignments: dotted settings and their values, such as {'training.rounds': 2}.
     :raises ConfigError: when the file or a setting does not exist or makes no sense.
     """
-    path = find_config(source, PLANNERS)
-    values = read_values(path, assignments or {})
-    with told_with_place(path, assignments or {}):
-        return from_mapping(PlannerConfig, values)
+    return read_as(PlannerConfig, find_config(source, PLANNERS), assignments or {})
+
+
+def read_as(kind: type[Settings], path: Path, assignments: Mapping[str, Any]) -> Settings:
+    """Return what a file says, changed by assignments, as a dataclass."""
+    values = read_values(path, assignments)
+    with told_with_place(path, assignments):
+        return from_mapping(kind, values)
 
 
 def read_grid_config(source: str | Path) -> GridConfig:

@@ -1,19 +1,17 @@
 """Commands of `socialnav` as processes side by side, each with what follows it."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-import contextlib
 import dataclasses
 import os
 from pathlib import Path
-import signal
 import subprocess
 import sys
 import threading
 import time
-from types import FrameType
 
 from socialnav_core.commands.arguments import CommandFailure
+from socialnav_core.termination import terminated_like_interrupted
 
 PROGRAM = (sys.executable, '-m', 'socialnav_core.cli')
 ENVIRONMENT = {
@@ -152,24 +150,6 @@ def succeeded(
     if seconds:
         announce(f'{job.label}: {seconds:.0f} s')
     return True
-
-
-@contextlib.contextmanager
-def terminated_like_interrupted() -> Iterator[None]:
-    """Turn SIGTERM into KeyboardInterrupt in the block, where this is the main thread."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    previous = signal.signal(signal.SIGTERM, raise_interrupt)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, previous)
-
-
-def raise_interrupt(number: int, frame: FrameType | None) -> None:
-    """Raise KeyboardInterrupt, which keeps the number of the signal."""
-    raise KeyboardInterrupt(number)
 
 
 def last_line(log: Path) -> str:
