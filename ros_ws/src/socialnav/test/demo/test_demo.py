@@ -47,17 +47,26 @@ def processes_of(process):
 
 
 def wait_for_nodes(process):
-    """Return the process ids of the nodes of a demo as soon as there are both."""
+    """
+    Return the process ids of the nodes of a demo as soon as there are both.
+
+    For a moment after exec the kernel shows the arguments of a process, and no variables yet.
+    """
     deadline = time.monotonic() + 40
-    while len(nodes := processes_of(process)[1]) < 2:
+    while len(nodes := processes_of(process)[1]) < 2 or not all(map(environment_of, nodes)):
         assert time.monotonic() < deadline and process.poll() is None
         time.sleep(0.05)
     return nodes
 
 
+def environment_of(number):
+    """Return the environment of a process as the kernel shows it, '' when it shows none."""
+    return Path(f'/proc/{number}/environ').read_text()
+
+
 def variables_of(number):
     """Return the environment of a process, as NAME=value."""
-    return Path(f'/proc/{number}/environ').read_text().split('\0')
+    return environment_of(number).split('\0')
 
 
 def alive(number):
