@@ -70,6 +70,11 @@ class TrainingConfig:
 
     worlds: Annotated[int, Range(1, 65_536)] = 128
     """Worlds simulated side by side."""
+    kinds: Annotated[int, Range(0, 1024)] = 0
+    """
+    Kinds of worlds among them, drawn by the seed, with up to the scenario's numbers of pedestrians
+    and obstacles (docs/training.md); 0: all are the scenario's.
+    """
     iterations: Annotated[int, Range(1, 10_000_000)] = 100
     """Rounds of collection and updates; length of a run where `episodes` is 0."""
     episodes: Annotated[int, Range(0, 100_000_000)] = 0
@@ -128,6 +133,11 @@ class TrainingConfig:
     def __post_init__(self) -> None:
         """Refuse values with which nothing can be learned."""
         require_allowed(self)
+        require(
+            not self.kinds or (self.worlds % self.kinds == 0 and not self.curriculum.enabled),
+            f'training.worlds ({self.worlds}) must be a multiple of training.kinds '
+            f'({self.kinds}), which exclude training.curriculum',
+        )
         require(
             not self.target_update_episodes or self.trace_decay == 0,
             'training.target_update_episodes asks for one-step targets, training.trace_decay for '

@@ -12,6 +12,7 @@ from socialnav_core.policies import Policy
 from socialnav_core.policies.value.observation import observe
 from socialnav_core.simulation import Outcome, Simulator
 from socialnav_core.states import Observation
+from socialnav_core.training.mixed_worlds import MixedWorlds
 from socialnav_core.training.optimizers import make_optimizer
 from socialnav_core.training.regression import update, value_loss
 from socialnav_core.training.schedules import exponential
@@ -39,7 +40,7 @@ class Demonstrations:
 
 
 def collect_demonstrations(
-    simulator: Simulator,
+    simulator: Simulator | MixedWorlds,
     demonstrator: Policy,
     episodes: int,
     seed: int,

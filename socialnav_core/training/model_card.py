@@ -154,12 +154,12 @@ def training_data(config: Config, last: dict[str, float]) -> str:
 
     :param last: last line of the progress report, empty where there is none.
     """
-    settings, scenario = config.training, config.scenario
+    settings = config.training
     curriculum = settings.curriculum
     lines = [
         '## Training data\n',
-        f'Simulated episodes of `{scenario.name}` ({scenario.pedestrians} ORCA pedestrians, '
-        f'{scenario.obstacles} obstacles), cases of the `train` split, seed {config.seed}:\n',
+        f'Simulated episodes of {worlds_of(config)}, cases of the `train` split, seed '
+        f'{config.seed}:\n',
         imitation_line(settings),
         value_learning_line(settings),
         f'- products in {"bfloat16" if settings.bfloat16 else "float32"}, weights in float32.',
@@ -180,6 +180,18 @@ def training_data(config: Config, last: dict[str, float]) -> str:
             f'{last["obstacle_radius"]:g} m.'
         )
     return '\n'.join(lines)
+
+
+def worlds_of(config: Config) -> str:
+    """Return which worlds a model learned in."""
+    scenario, kinds = config.scenario, config.training.kinds
+    if kinds:
+        return (
+            f'{kinds} kinds of worlds (up to {scenario.pedestrians} ORCA pedestrians and '
+            f'{scenario.obstacles} obstacles; speeds, radii, distances and walls drawn)'
+        )
+    people = f'{scenario.pedestrians} ORCA pedestrians'
+    return f'`{scenario.name}` ({people}, {scenario.obstacles} obstacles)'
 
 
 def imitation_line(settings: TrainingConfig) -> str:
@@ -255,15 +267,17 @@ def limits(config: Config) -> str:
     """Return where the model is not to be trusted."""
     scenario = config.scenario
     seen, people = 'see', 'real people do not follow ORCA'
+    speeds, agents = f'{scenario.pedestrian_speed:g} m/s', f'{scenario.agents}'
+    if config.training.kinds:
+        speeds, agents = 'the speeds drawn for their world', f'up to {agents}'
     if not scenario.robot_visible:
         seen, people = 'do not see', f'{people}, and they do see the robot'
     return (
         '## Limits\n\n'
         '- The network sees positions, velocities and radii without noise or occlusion, and no '
         'walls.\n'
-        f'- Its pedestrians follow ORCA at {scenario.pedestrian_speed:g} m/s and {seen} the '
-        f'robot; {people}.\n'
-        f'- It was trained with {scenario.agents} agents and obstacles up to '
+        f'- Its pedestrians follow ORCA at {speeds} and {seen} the robot; {people}.\n'
+        f'- It was trained with {agents} agents and obstacles up to '
         f'{scenario.obstacle_radius_max:g} m of radius; more or larger ones are extrapolation.\n'
         + unvaried_features(config)
         + '- `constant_velocity` predicts that people walk straight on; `oracle` knows their next '

@@ -26,6 +26,8 @@ class Purpose(enum.IntEnum):
     PLANNER_WORLDS = 11
     PLANNER_VALIDATION = 12
     PLANNER_BATCHES = 13
+    MIXED_WORLDS = 14
+    MIXED_RADII = 15
 
 
 def generator(seed: int, purpose: Purpose, iteration: int = 0) -> np.random.Generator:

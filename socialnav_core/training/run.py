@@ -8,7 +8,7 @@ import shlex
 import numpy as np
 import torch
 
-from socialnav_core.config import Config, PolicyConfig, ScreeningConfig
+from socialnav_core.config import Config, PolicyConfig, Scenario, ScreeningConfig
 from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.policies.value.inference import ValueInference
 from socialnav_core.policies.value.lookahead import Decision, ValuePolicy
@@ -17,6 +17,7 @@ from socialnav_core.simulation import Simulator
 from socialnav_core.training.constant_features import without_constant_features
 from socialnav_core.training.curriculum import Curriculum
 from socialnav_core.training.episodes import EpisodeWindow
+from socialnav_core.training.mixed_worlds import MixedWorlds
 from socialnav_core.training.optimizers import make_optimizer
 from socialnav_core.training.randomness import initial_network
 from socialnav_core.training.replay_buffer import ReplayBuffer
@@ -55,7 +56,7 @@ class Run:
         if settings.curriculum.enabled:
             self.curriculum = Curriculum(settings.curriculum, next_case=0, seed=config.seed)
             scenario = self.curriculum.scenario(scenario)
-        self.simulator = Simulator(scenario, settings.worlds)
+        self.simulator = make_worlds(config, scenario)
         self.policy = ValuePolicy(self.network, exploring_policy(config), settings.bfloat16)
         attach_simulator(self.policy.predictor, self.simulator.next_agent_velocities)
         self.decision: Decision  # in the present state, by the weights of then
@@ -105,7 +106,7 @@ class Run:
         if period and before // period != self.ended_episodes // period:
             self.renew_target()
         self.episodes.record(*ended)
-        if self.curriculum is None:
+        if self.curriculum is None or isinstance(self.simulator, MixedWorlds):
             return
         self.curriculum.window.record(*ended)
         if self.curriculum.advance(int(self.simulator.case_index.max()) + 1):
@@ -147,7 +148,7 @@ class Run:
         if not self.config.training.store_timeouts:
             self.unfinished.set_state(sections['unfinished'])
         self.episodes.set_state(sections['episodes'])
-        if self.curriculum:
+        if self.curriculum and isinstance(self.simulator, Simulator):
             self.curriculum.set_state(sections['curriculum'])
             self.curriculum.apply(self.simulator, self.config.scenario)
         self.simulator.set_state(sections['simulator'])
@@ -157,6 +158,19 @@ class Run:
         self.ended_episodes = int(counters['ended_episodes'])
         self.seconds = float(counters['seconds'])
         self.processor_seconds = float(counters['processor_seconds'])
+
+
+def make_worlds(config: Config, scenario: Scenario) -> Simulator | MixedWorlds:
+    """
+    Return the worlds of a run, which are not laid out yet.
+
+    :param scenario: of the first level of a curriculum, else that of the run.
+    :raises PackingError: when no kind of world finds room.
+    """
+    settings = config.training
+    if settings.kinds:
+        return MixedWorlds(scenario, settings.kinds, settings.worlds, config.seed)
+    return Simulator(scenario, settings.worlds)
 
 
 def exploring_policy(config: Config) -> PolicyConfig:

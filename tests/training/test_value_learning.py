@@ -71,6 +71,16 @@ def test_resumed_run_ends_with_the_weights_of_an_uninterrupted_one(
     assert checkpoint_digest(tmp_path / 'cut') == checkpoint_digest(tmp_path / 'whole')
 
 
+def test_resumed_run_in_mixed_worlds_ends_with_the_weights_of_an_uninterrupted_one(
+    tiny_config, tmp_path, monkeypatch
+):
+    config = with_training(tiny_config, kinds=2)
+    train(config, tmp_path / 'whole', progress=False)
+    interrupted(monkeypatch, config, tmp_path / 'cut', 2)
+    train(config, tmp_path / 'cut', resume=True, progress=False)
+    assert checkpoint_digest(tmp_path / 'cut') == checkpoint_digest(tmp_path / 'whole')
+
+
 @pytest.mark.parametrize('scheduler', ['smooth', 'baby_step', 'one_pass'])
 def test_resumed_curriculum_run_ends_with_the_weights_of_an_uninterrupted_one(
     tiny_config, tmp_path, monkeypatch, scheduler
