@@ -16,6 +16,7 @@ from socialnav_core.config.mapping import (
     to_yaml,
     unknown_key,
 )
+from socialnav_core.config.observation import ObservationConfig
 from socialnav_core.config.scenario import Scenario
 from socialnav_core.config.scenarios import resolve_scenario
 
@@ -67,6 +68,10 @@ AXES: dict[str, Callable[[Scenario, Any], Scenario]] = {
     'time_step': setting('time_step'),
 }
 """What may change along an axis: the world with another value of it."""
+VARIANT = 'variant'
+"""An axis whose values are names of settings that are changed together."""
+SECTIONS = ('scenario', 'policy', 'observation')
+"""What the settings of a variant begin with."""
 UNITS = {
     'distance': 'm', 'tolerance': 'm', 'robot_radius': 'm', 'robot_speed': 'm/s',
     'people_speed': 'm/s', 'time_step': 's',
@@ -83,6 +88,22 @@ class Table:
     """The world that changes."""
     axes: Mapping[str, tuple[Any, ...]]
     """Names of axes and the values along them; the first goes down, the second to the right."""
+    variants: Mapping[str, Mapping[str, Any]] = dataclasses.field(default_factory=dict)
+    """The settings that each value of the axis `variant` changes, such as policy.contact."""
+
+    def changes(self, values: Mapping[str, Any], section: str) -> dict[str, Any]:
+        """
+        Return the settings of a section that the variant of a cell changes, by name.
+
+        :param values: of each axis.
+        """
+        changed = self.variants.get(values.get(VARIANT, ''), {})
+        prefix = f'{section}.'
+        return {
+            key.removeprefix(prefix): value
+            for key, value in changed.items()
+            if key.startswith(prefix)
+        }
 
 
 @dataclasses.dataclass(frozen=True)
@@ -132,12 +153,31 @@ def table_from(name: str, values: Any, world: Scenario) -> Table:
     where = f'tables.{name}'
     require(isinstance(values, Mapping), f'{where} must be a mapping of axes')
     axes = {key: value for key, value in values.items() if key != 'world'}
+    variants = variants_from(axes.get(VARIANT, {}), f'{where}.{VARIANT}')
+    if VARIANT in axes:
+        axes[VARIANT] = list(variants)
     for axis, along in axes.items():
-        require(axis in AXES, unknown_key(where, axis, AXES))
+        require(axis in (*AXES, VARIANT), unknown_key(where, axis, (*AXES, VARIANT)))
         require(isinstance(along, list) and len(along) > 0, f'{where}.{axis} must be a list')
     require(1 <= len(axes) <= 2, f'{where} must have one axis or two')
     base = replace(world, values.get('world') or {}, 'scenario')
-    return Table(name, base, {axis: tuple(along) for axis, along in axes.items()})
+    table = Table(name, base, {axis: tuple(along) for axis, along in axes.items()}, variants)
+    for variant in variants:
+        world_of(table, {VARIANT: variant})
+        observation_of(table, {VARIANT: variant})
+    return table
+
+
+def variants_from(values: Any, where: str) -> dict[str, dict[str, Any]]:
+    """Return the settings of each variant by its name; see `grid_from`."""
+    require(isinstance(values, Mapping), f'{where} must be a mapping of settings by name')
+    for name, settings in values.items():
+        require(isinstance(name, str), f'{where}: {name!r} is no name')
+        require(isinstance(settings, Mapping), f'{where}.{name} must be a mapping of settings')
+        for key in settings:
+            section = str(key).partition('.')[0]
+            require(section in SECTIONS, unknown_key(f'{where}.{name}', str(key), SECTIONS))
+    return {name: dict(settings) for name, settings in values.items()}
 
 
 def world_of(table: Table, values: Mapping[str, Any]) -> Scenario:
@@ -149,6 +189,10 @@ def world_of(table: Table, values: Mapping[str, Any]) -> Scenario:
     """
     scenario, words = table.world, []
     for axis, value in values.items():
+        if axis == VARIANT:
+            scenario = replace(scenario, table.changes(values, 'scenario'), 'scenario')
+            words.append(str(value))
+            continue
         try:
             scenario = AXES[axis](scenario, value)
         except TypeError as error:
@@ -157,12 +201,24 @@ def world_of(table: Table, values: Mapping[str, Any]) -> Scenario:
     return dataclasses.replace(scenario, name=' '.join(words))
 
 
+def observation_of(table: Table, values: Mapping[str, Any]) -> ObservationConfig | None:
+    """
+    Return how people are seen in a cell; None where they are seen as they are.
+
+    :param values: of each axis of the table.
+    :raises ConfigError: for settings that do not exist.
+    """
+    changes = table.changes(values, 'observation')
+    return replace(ObservationConfig(), changes, 'observation') if changes else None
+
+
 def grid_mapping(config: GridConfig) -> dict[str, Any]:
     """Return plain values that tell one grid from another, fit for JSON."""
     values = to_mapping(config)
     values['tables'] = [
         {'name': table.name, 'world': to_yaml(table.world),
-         'axes': {axis: list(along) for axis, along in table.axes.items()}}
+         'axes': {axis: list(along) for axis, along in table.axes.items()},
+         'variants': table.variants}
         for table in config.tables
     ]  # fmt: skip
     return values

@@ -5,8 +5,7 @@ import dataclasses
 import itertools
 from typing import Any
 
-from socialnav_core.config.grid import GridConfig, Table, world_of
-from socialnav_core.config.scenario import Scenario
+from socialnav_core.config.grid import GridConfig, observation_of, Table, world_of
 from socialnav_core.evaluation.known_bounds import with_bounds
 from socialnav_core.evaluation.run import evaluate, EvaluationResult
 from socialnav_core.metrics import BOUND_METRICS
@@ -47,7 +46,7 @@ def run_grid(
     for table, values in cells_of(config):
         cell: Cell = {'table': table.name, 'values': values}
         if cell_key(cell) not in there:
-            cells.append(cell | run_cell(model, world_of(table, values), config, bound))
+            cells.append(cell | run_cell(model, table, values, config, bound))
             keep(cells)
         progress(1)
     return cells
@@ -58,15 +57,25 @@ def cell_key(cell: Cell) -> tuple[Any, ...]:
     return cell['table'], *cell['values'].items()
 
 
-def run_cell(model: str, scenario: Scenario, config: GridConfig, bound: bool) -> Cell:
-    """Return the figures of a policy in one world, driven as it drives, or that it is too full."""
+def run_cell(
+    model: str, table: Table, values: dict[str, Any], config: GridConfig, bound: bool
+) -> Cell:
+    """
+    Return the figures of a policy in one world, driven as it drives, or that it is too full.
+
+    :param values: of each axis of the table.
+    """
+    scenario = world_of(table, values)
     settings = {
         name: getattr(scenario, name) for name in SHARED if has_setting(model, name)
     }  # fmt: skip
-    policy = load_policy(model, **settings)
+    policy = load_policy(model, **settings | table.changes(values, 'policy'))
     scenario = dataclasses.replace(scenario, kinematics=policy.description.kinematics)
     try:
-        result = evaluate(policy, scenario, config.episodes, config.seed, config.split, name=model)
+        result = evaluate(
+            policy, scenario, config.episodes, config.seed, config.split, name=model,
+            observation=observation_of(table, values),
+        )  # fmt: skip
         if bound:
             result = with_bounds(result, scenario, config.bound)
     except PackingError as error:

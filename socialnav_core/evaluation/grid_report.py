@@ -86,4 +86,6 @@ def axis_text(axis: str) -> str:
 
 def value_text(value: Any) -> str:
     """Return a value of an axis as text."""
+    if isinstance(value, str):
+        return value
     return {True: 'yes', False: 'no'}[value] if isinstance(value, bool) else f'{value:g}'

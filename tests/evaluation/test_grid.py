@@ -9,13 +9,14 @@ from PIL import Image
 import pytest
 
 from socialnav_core import cli
-from socialnav_core.config import ConfigError
+from socialnav_core.config import ConfigError, ObservationConfig, SearchConfig
 from socialnav_core.config.grid import at_distance, AXES, grid_from, Table, world_of
 from socialnav_core.config.reading import read_grid_config
 from socialnav_core.evaluation import grid
 from socialnav_core.evaluation.grid import cells_of, run_cell, run_grid
 from socialnav_core.evaluation.grid_report import table_rows, UNPACKED
-from socialnav_core.simulation import make_scenario, Simulator
+from socialnav_core.policies import load_policy
+from socialnav_core.simulation import make_scenario, PackingError, Simulator
 
 FULL, QUICK = read_grid_config('full'), read_grid_config('quick')
 HUGE = {'obstacle_radius_min': 20, 'obstacle_radius_max': 21}
@@ -62,9 +63,10 @@ def test_a_policy_is_told_what_it_shares_with_its_world(monkeypatch):
 
     monkeypatch.setattr(grid, 'load_policy', load)
     monkeypatch.setattr(grid, 'evaluate', None)
-    world = dataclasses.replace(make_scenario('hard'), time_step=0.1, goal_tolerance=0.15)
+    world = dataclasses.replace(make_scenario('hard'), time_step=0.1)
+    table = Table('a', world, {'tolerance': (0.15,)})
     with pytest.raises(TypeError):
-        run_cell('search', world, QUICK, False)
+        run_cell('search', table, {'tolerance': 0.15}, QUICK, False)
     assert told == {'time_step': 0.1, 'goal_tolerance': 0.15}
 
 
@@ -108,6 +110,43 @@ def test_a_value_that_no_world_can_have_is_named():
     table = Table('a', make_scenario('hard'), {'tolerance': ('wide',)})
     with pytest.raises(ConfigError, match='goal_tolerance'):
         world_of(table, {'tolerance': 'wide'})
+
+
+def test_a_variant_changes_the_world_the_policy_and_what_it_sees(monkeypatch):
+    seen = {}
+    changed = {
+        'scenario.pedestrian_speed': 0.5, 'policy.contact': 7.0, 'observation.missed': 0.25,
+    }  # fmt: skip
+    table = {'variant': {'plain': {}, 'other': changed}}
+    config = grid_from(VALUES | {'tables': {'a': table}}, 'variants')
+
+    def evaluate(policy, scenario, *_, observation, **__):
+        seen[scenario.name] = (scenario.pedestrian_speed, policy.settings.contact, observation)
+        raise PackingError('seen enough')
+
+    monkeypatch.setattr(grid, 'evaluate', evaluate)
+    run_grid('search', config, False, [], lambda cells: None)
+    assert seen['plain'] == (1.0, SearchConfig().contact, None)
+    assert seen['other'] == (0.5, 7.0, ObservationConfig(missed=0.25))
+
+
+@pytest.mark.parametrize('settings, message', [
+    ({'crowd': 'orca'}, 'unknown'),
+    ({'scenario.crowds': 'orca'}, 'crowd'),
+    ({'observation.missing': 0.1}, 'missed'),
+    ('noise', 'must be a mapping'),
+])  # fmt: skip
+def test_a_mistake_in_a_variant_is_named(settings, message):
+    with pytest.raises(ConfigError, match=message):
+        grid_from(VALUES | {'tables': {'a': {'variant': {'it': settings}}}}, 'wrong')
+
+
+@pytest.mark.parametrize('name', ['robustness', 'ablation'])
+def test_the_variants_that_come_along_are_of_worlds_and_policies_that_exist(name):
+    config = read_grid_config(name)
+    for table, values in cells_of(config):
+        world_of(table, values)
+        load_policy('socialnav', **table.changes(values, 'policy'))
 
 
 def test_the_command_writes_a_file_a_policy_a_picture_and_a_page(tmp_path, capsys):
