@@ -5,7 +5,7 @@ import pytest
 
 from socialnav_core.config.prediction import NoiseConfig
 from socialnav_core.prediction.learned.features import person_features
-from socialnav_core.prediction.learned.history import History, lagged_velocities
+from socialnav_core.prediction.learned.history import History, lagged_motions
 from socialnav_core.training.prediction.crowds import draw_crowd, record
 from socialnav_core.training.prediction.examples import (
     draw_examples,
@@ -51,7 +51,7 @@ def test_training_sees_what_a_robot_sees(time_step):
     world, moments = np.arange(2), np.full(2, moment)
     samples = seen_samples(recording, world, moments, 0.0, np.random.default_rng(0))
     learned, turned = everybody(
-        recording, world, agents.position[:, : recording.people], *lagged_velocities(*samples)
+        recording, world, agents.position[:, : recording.people], *lagged_motions(*samples)
     )
     np.testing.assert_array_equal(learned, features)
     np.testing.assert_array_equal(turned, frames)

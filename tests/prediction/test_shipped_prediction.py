@@ -19,12 +19,12 @@ def predictor():
 
 @pytest.mark.parametrize('crowd', ['crowd20', 'hard', 'packed-2.5'])
 def test_it_predicts_better_than_constant_velocity(predictor, crowd):
-    result = evaluate_prediction(predictor, crowd, groups=1, split='validation')
+    (result,) = evaluate_prediction(predictor, crowd, groups=1, split='validation')
     assert (np.array(result.error) < 0.95 * np.array(result.constant_velocity)).all()
 
 
 def test_most_errors_lie_within_two_deviations_even_with_noise(predictor):
-    result = evaluate_prediction(predictor, 'crowd20', groups=1, split='validation', noise=True)
+    (result,) = evaluate_prediction(predictor, 'crowd20', 1, 0, 'validation', noise=True)
     assert min(result.within_two) > 0.7
 
 

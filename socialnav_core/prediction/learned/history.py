@@ -1,11 +1,11 @@
-"""What was seen of the agents in the last seconds, and their velocities at fixed lags."""
+"""What was seen of the agents in the last seconds, and their motions at fixed lags."""
 
 import math
 
 import numpy as np
 
 from socialnav_core.compilation import compiled
-from socialnav_core.prediction.learned.layout import LAG, LAGS
+from socialnav_core.prediction.learned.layout import LAG, LAGS, MOTION
 from socialnav_core.states import CrowdState
 
 SAMPLES = 16
@@ -19,7 +19,7 @@ TOLERANCE = 1e-6  # times are sums of time steps
 
 class History:
     """
-    The last velocities of each agent in each world, newest first.
+    The last motions of each agent in each world, newest first: velocity, then position.
 
     Agents are told apart by identities. Times tell the steps: whoever asks twice at the same time
     adds nothing, and a world whose time jumps back has started again.
@@ -27,7 +27,7 @@ class History:
 
     def __init__(self) -> None:
         self.times = np.empty((0, SAMPLES))
-        self.velocities = np.empty((0, SAMPLES, 0, 2))
+        self.motions = np.empty((0, SAMPLES, 0, MOTION))
         self.seen = np.empty((0, SAMPLES, 0), bool)
         self.identities = np.empty((0, 0), np.int64)
 
@@ -50,23 +50,22 @@ class History:
             self._begin(shape, identities)
         if self.identities.shape != shape or (self.identities != identities).any():
             self._follow(identities)
-        add_samples(
-            state.time, agents.velocity, agents.valid, self.times, self.velocities, self.seen
-        )
+        motion = np.concatenate([agents.velocity, agents.position], axis=2)
+        add_samples(state.time, motion, agents.valid, self.times, self.motions, self.seen)
 
     def lagged(self) -> tuple[np.ndarray, np.ndarray]:
         """
-        Return the velocities LAG, 2 LAG, ... ago and whether they are known, now first.
+        Return the motions LAG, 2 LAG, ... ago and whether they are known, now first.
 
-        Shapes are (batch, LAGS, agents, 2) and (batch, LAGS, agents).
+        Shapes are (batch, LAGS, agents, MOTION) and (batch, LAGS, agents).
         """
-        return lagged_velocities(self.times, self.velocities, self.seen)
+        return lagged_motions(self.times, self.motions, self.seen)
 
     def _begin(self, shape: tuple[int, int], identities: np.ndarray) -> None:
         """Make room for worlds of which nothing is known."""
         batch, agents = shape
         self.times = np.full((batch, SAMPLES), -math.inf)
-        self.velocities = np.zeros((batch, SAMPLES, agents, 2))
+        self.motions = np.zeros((batch, SAMPLES, agents, MOTION))
         self.seen = np.zeros((batch, SAMPLES, agents), bool)
         self.identities = identities.copy()
 
@@ -79,23 +78,23 @@ class History:
         if not self.seen.shape[2]:
             self._begin((len(identities), identities.shape[1]), identities)
             return
-        self.velocities = np.take_along_axis(self.velocities, origin[:, None, :, None], axis=2)
+        self.motions = np.take_along_axis(self.motions, origin[:, None, :, None], axis=2)
         self.seen = np.take_along_axis(self.seen, origin[:, None], axis=2) & known[:, None]
 
 
 @compiled
-def add_samples(time, velocity, valid, times, velocities, seen):  # type: ignore[no-untyped-def]
+def add_samples(time, motion, valid, times, motions, seen):  # type: ignore[no-untyped-def]
     """
-    Put the present velocities in front of the samples of each world, in place.
+    Put the present motions in front of the samples of each world, in place.
 
     The newest sample is always that of now; it gives way to the next unless SPACING lies between
     it and the one before.
 
     :param time: s, (batch,).
-    :param velocity: m/s, (batch, agents, 2).
+    :param motion: velocity and position, (batch, agents, MOTION).
     :param valid: (batch, agents).
     :param times: s, newest first, -inf where there is none, (batch, samples).
-    :param velocities: m/s, (batch, samples, agents, 2).
+    :param motions: velocities and positions, (batch, samples, agents, MOTION).
     :param seen: whether the agent was there, (batch, samples, agents).
     """
     samples = times.shape[1]
@@ -107,24 +106,24 @@ def add_samples(time, velocity, valid, times, velocities, seen):  # type: ignore
         if not same and newest - times[world, 1] >= SPACING - TOLERANCE:
             for sample in range(samples - 1, 0, -1):
                 times[world, sample] = times[world, sample - 1]
-                velocities[world, sample] = velocities[world, sample - 1]
+                motions[world, sample] = motions[world, sample - 1]
                 seen[world, sample] = seen[world, sample - 1]
         times[world, 0] = now
-        velocities[world, 0] = velocity[world]
+        motions[world, 0] = motion[world]
         seen[world, 0] = valid[world]
 
 
 @compiled
-def lagged_velocities(times, velocities, seen):  # type: ignore[no-untyped-def]
+def lagged_motions(times, motions, seen):  # type: ignore[no-untyped-def]
     """
-    Return the velocities at fixed lags, linear between samples, and whether they are known.
+    Return the motions at fixed lags, linear between samples, and whether they are known.
 
     :param times: s, newest first, -inf where there is no sample, (batch, samples).
-    :param velocities: m/s, (batch, samples, agents, 2).
+    :param motions: velocities and positions, (batch, samples, agents, MOTION).
     :param seen: whether the agent was there, (batch, samples, agents).
     """
     batch, samples, agents = seen.shape
-    lagged = np.zeros((batch, LAGS, agents, 2))
+    lagged = np.zeros((batch, LAGS, agents, MOTION))
     known = np.zeros((batch, LAGS, agents), np.bool_)
     for world in range(batch):
         newer = 0
@@ -143,8 +142,8 @@ def lagged_velocities(times, velocities, seen):  # type: ignore[no-untyped-def]
             for agent in range(agents):
                 if seen[world, newer, agent] and seen[world, older, agent]:
                     known[world, lag, agent] = True
-                    for axis in range(2):
-                        lagged[world, lag, agent, axis] = (1.0 - share) * velocities[
-                            world, newer, agent, axis
-                        ] + share * velocities[world, older, agent, axis]
+                    for part in range(MOTION):
+                        lagged[world, lag, agent, part] = (1.0 - share) * motions[
+                            world, newer, agent, part
+                        ] + share * motions[world, older, agent, part]
     return lagged, known
