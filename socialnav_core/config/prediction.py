@@ -78,7 +78,7 @@ class NoiseConfig:
 class PredictionTrainingConfig:
     """Regression on what people did next."""
 
-    updates: Annotated[int, Range(1, 100_000_000)] = 25000
+    updates: Annotated[int, Range(1, 100_000_000)] = 12000
     """Gradient steps."""
     recordings_per_update: Annotated[int, Range(1, 1000)] = 4
     """Recordings that a batch draws from."""

@@ -1,7 +1,6 @@
 """How far predictions are from what people did, and whether they know it."""
 
 from collections.abc import Iterator
-import dataclasses
 
 import numpy as np
 

@@ -5,7 +5,7 @@ from socialnav_core.tables import text_table
 
 
 def result_table(results: list[PredictionResult]) -> str:
-    """Return errors, m, surprise, nats, and the shares within one and two deviations, a line a crowd."""
+    """Return errors, m, surprise, nats, and shares within one and two deviations, line by line."""
     moments = ' / '.join(f'{time:g}' for time in TIMES)
     head = ('crowd', 'noise', 'motion', 'people', f'error at {moments} s', 'constant velocity',
             'surprise', 'within 1 sigma', 'within 2 sigma')  # fmt: skip

@@ -146,7 +146,7 @@ def write_past(lagged, known, agent, cosine, sine, out):  # type: ignore[no-unty
     Write what the positions say of the motion, and how much the velocities jitter.
 
     The mean velocities since the lags come less the present one: both err on their own, so that
-    together they tell noise from turning. Jitter is the root mean square of the second differences.
+    together they tell noise from turning. Jitter is the root mean square of second differences.
     """
     begin = 3 + 2 * LAGS
     now = lagged[0, agent]

@@ -14,8 +14,8 @@ REACH = 8.0
 """Agents whose rims are farther apart are not seen, m."""
 OWN = 3 + 2 * LAGS + 2 * (LAGS - 1) + 1 + 4
 """
-Features of the person: speed, velocities, share of them that is known, radius, mean velocities since
-the lags, jitter, and the crowd.
+Features of the person: speed, velocities, share of them that is known, radius, mean velocities
+since the lags, jitter, and the crowd.
 """
 EDGE = 18
 """Features of a neighbour."""

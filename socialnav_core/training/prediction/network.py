@@ -12,7 +12,7 @@ from socialnav_core.prediction.learned.outputs import GREATEST_LOGARITHM, LEAST_
 from socialnav_core.training.prediction.examples import Examples
 
 GOAL = 2
-"""Auxiliary outputs, which are not kept: the direction to the goal, then logarithms of Student's scales."""
+"""Auxiliary outputs, not kept: direction to the goal; logarithms of Student's scales follow."""
 LOGARITHMS = LEAST_LOGARITHM, GREATEST_LOGARITHM
 
 
@@ -73,7 +73,7 @@ def loss_of(
 
 
 def believed(output: torch.Tensor) -> torch.Tensor:
-    """Return the residuals that inference makes of outputs, in units of SCALE, (people, STEPS, 2)."""
+    """Return what inference makes of outputs: residuals in units of SCALE, (people, STEPS, 2)."""
     residual = output[:, : 2 * STEPS].reshape(-1, STEPS, 2)
     square = residual.square().sum(-1, keepdim=True)
     return residual * (square / (square + DOUBT**2))

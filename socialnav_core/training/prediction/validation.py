@@ -71,7 +71,7 @@ def calibration(ratios: np.ndarray) -> np.ndarray:
     """
     Return the factors with which as many errors as a Gaussian has are within two deviations.
 
-    Within one there are more than a Gaussian has: most people walk straight on, a few turn at once.
+    Within one there are more than a Gaussian has: most people walk straight on, a few turn.
 
     :param ratios: errors along each axis in units of the deviations, (people, STEPS, 2).
     """
