@@ -13,12 +13,13 @@ from socialnav_core.commands.arguments import (
     whole_number,
 )
 from socialnav_core.commands.choices import use_threads
-from socialnav_core.commands.files import require_new, require_own, write_json
+from socialnav_core.commands.files import require_new, require_own, require_picture, write_json
 from socialnav_core.config import ConfigError
 
 EXAMPLES = """
 out/prediction --split validation --crowds crowd20 unaware
-prediction --recorded people.txt --json out/prediction.json"""
+prediction --recorded people.txt --motions --json out/prediction.json
+prediction --picture out/reliability.png"""
 
 
 def add_parser(commands: Any) -> None:
@@ -46,6 +47,14 @@ def add_parser(commands: Any) -> None:
     parser.add_argument(
         '--split', choices=('validation', 'test'), default='test', help='of the crowds (test)'
     )
+    parser.add_argument(
+        '--motions', action='store_true',
+        help='also those who are new, stand, start, turn or walk on, each apart',
+    )  # fmt: skip
+    parser.add_argument(
+        '--picture', type=Path, metavar='FILE',
+        help='draw how often people are within what is predicted, by crowd and time ahead',
+    )  # fmt: skip
     parser.add_argument('--json', type=Path, metavar='FILE', help='write all figures')
     parser.add_argument(
         '--card', action='store_true', help="put the figures into the model's metrics and card"
@@ -63,6 +72,7 @@ def run(given: argparse.Namespace) -> None:
     from socialnav_core.training.prediction.model_card import add_results
 
     require_new(given.json, given)
+    require_picture(given.picture, given)
     if given.card:
         require_own(find_predictor(given.model))
     crowds = CROWDS if given.crowds is None else given.crowds
@@ -76,22 +86,38 @@ def run(given: argparse.Namespace) -> None:
         for result in results
     ]
     write_json(given.json, values)
+    if given.picture:
+        draw(results, given.picture)
     if given.card:
         add_results(find_predictor(given.model), values)
 
 
 def measured(predictor: Any, crowds: Any, given: argparse.Namespace) -> list[Any]:
     """Return the results on crowds, without and with noise, and on recorded people."""
-    from socialnav_core.evaluation.prediction import evaluate_prediction, measure_prediction
+    from socialnav_core.evaluation.judgement import judge, summarise
+    from socialnav_core.evaluation.prediction import evaluate_prediction
     from socialnav_core.evaluation.recorded_people import read_tracks, track_moments
 
     tracks = {path.stem: read_tracks(path) for path in given.recorded}
+    options = given.groups, given.seed, given.split
     results = [
-        evaluate_prediction(predictor, crowd, given.groups, given.seed, given.split, noise)
+        result
         for crowd in crowds
         for noise in (False, True)
+        for result in evaluate_prediction(predictor, crowd, *options, noise, given.motions)
     ]
-    return results + [
-        measure_prediction(predictor, [track_moments(track)], f'recorded: {name}')
-        for name, track in tracks.items()
-    ]
+    for name, track in tracks.items():
+        crowd = f'recorded: {name}'
+        found = judge(predictor, [track_moments(track)], crowd)
+        results += summarise(found, crowd, motions=given.motions)
+    return results
+
+
+def draw(results: list[Any], path: Path) -> None:
+    """Write the picture, at once or not at all."""
+    from socialnav_core.storage import written_whole
+    from socialnav_core.viewing.reliability import plot_reliability
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with written_whole(path) as temporary:
+        plot_reliability(results, temporary)

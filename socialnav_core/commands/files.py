@@ -9,6 +9,9 @@ from typing import Any
 from socialnav_core.config import ConfigError
 from socialnav_core.places import CHECKOUT, MODELS
 
+PICTURES = ('.png', '.svg', '.pdf')
+"""Suffixes of pictures."""
+
 
 def require_new(path: Path | None, given: argparse.Namespace) -> None:
     """
@@ -25,6 +28,13 @@ def require_new(path: Path | None, given: argparse.Namespace) -> None:
     parent = next(folder for folder in path.absolute().parents if folder.exists())
     if not parent.is_dir() or not os.access(parent, os.W_OK):
         raise ConfigError(f'{path} cannot be written: no right to write to {parent}')
+
+
+def require_picture(path: Path | None, given: argparse.Namespace) -> None:
+    """Raise a ConfigError unless a picture can be written; None for no picture."""
+    require_new(path, given)
+    if path is not None and path.suffix not in PICTURES:
+        raise ConfigError(f'{path} must end in {", ".join(PICTURES[:-1])} or {PICTURES[-1]}')
 
 
 def require_own(model: Path) -> None:

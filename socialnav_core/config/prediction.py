@@ -7,7 +7,7 @@ from socialnav_core.config.mapping import require
 from socialnav_core.config.ranges import NAME, Range, require_allowed
 from socialnav_core.config.training import LARGEST_SEED
 
-SHARES = ('scenarios', 'varied', 'stop_and_go', 'unaware', 'social_force')
+SHARES = ('scenarios', 'varied', 'stop_and_go', 'unaware', 'social_force', 'street')
 """Kinds of crowds; each is a field of CrowdMixture."""
 
 
@@ -15,16 +15,18 @@ SHARES = ('scenarios', 'varied', 'stop_and_go', 'unaware', 'social_force')
 class CrowdMixture:
     """How often each kind of crowd is drawn, in parts of their sum."""
 
-    scenarios: Annotated[float, Range(0, 1000)] = 0.4
+    scenarios: Annotated[float, Range(0, 1000)] = 0.35
     """The named scenarios with the project's own ORCA."""
-    varied: Annotated[float, Range(0, 1000)] = 0.2
+    varied: Annotated[float, Range(0, 1000)] = 0.15
     """ORCA with other horizons, distances, speeds, radii, numbers and time steps."""
-    stop_and_go: Annotated[float, Range(0, 1000)] = 0.15
+    stop_and_go: Annotated[float, Range(0, 1000)] = 0.1
     """The same with people who stop at once and start again."""
-    unaware: Annotated[float, Range(0, 1000)] = 0.1
+    unaware: Annotated[float, Range(0, 1000)] = 0.05
     """The same with people who avoid nobody."""
-    social_force: Annotated[float, Range(0, 1000)] = 0.15
+    social_force: Annotated[float, Range(0, 1000)] = 0.1
     """People who push each other away (Helbing and Molnar 1995)."""
+    street: Annotated[float, Range(0, 1000)] = 0.25
+    """People who walk on, alone or side by side, stand about or set off, seen as by a tracker."""
 
     def __post_init__(self) -> None:
         """Refuse shares that are none."""
@@ -36,9 +38,9 @@ class CrowdMixture:
 class CrowdsConfig:
     """The recorded crowds that the network learns from."""
 
-    groups: Annotated[int, Range(1, 100_000)] = 300
+    groups: Annotated[int, Range(1, 100_000)] = 360
     """Recordings; each draws its own kind, numbers, parameters and time step."""
-    validation_groups: Annotated[int, Range(1, 100_000)] = 24
+    validation_groups: Annotated[int, Range(1, 100_000)] = 40
     """Recordings of the validation split, on which the weights are chosen."""
     worlds: Annotated[int, Range(1, 4096)] = 12
     """Worlds of a recording, which share its parameters."""
@@ -76,7 +78,7 @@ class NoiseConfig:
 class PredictionTrainingConfig:
     """Regression on what people did next."""
 
-    updates: Annotated[int, Range(1, 100_000_000)] = 15000
+    updates: Annotated[int, Range(1, 100_000_000)] = 12000
     """Gradient steps."""
     recordings_per_update: Annotated[int, Range(1, 1000)] = 4
     """Recordings that a batch draws from."""
@@ -90,8 +92,10 @@ class PredictionTrainingConfig:
     """Of AdamW."""
     gradient_clip: Annotated[float, Range(1e-6, 1e6)] = 5.0
     """Largest norm of the gradient."""
-    distance_weight: Annotated[float, Range(0, 1000)] = 0.5
+    distance_weight: Annotated[float, Range(0, 1000)] = 1.0
     """Weight of the plain distance beside the likelihood."""
+    degrees_of_freedom: Annotated[float, Range(1, 1000)] = 4.0
+    """Of Student's t, by which the means learn: the fewer, the less outliers count."""
     goal_weight: Annotated[float, Range(0, 1000)] = 0.1
     """Weight of the auxiliary output, the direction to the person's goal."""
     validation_updates: Annotated[int, Range(1, 100_000_000)] = 1000

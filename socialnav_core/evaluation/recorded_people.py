@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from socialnav_core.config import ConfigError
-from socialnav_core.evaluation.prediction import Moment, TIMES
+from socialnav_core.evaluation.judgement import Moment, TIMES
 from socialnav_core.states import Agents, CrowdState, Robot
 from socialnav_core.training.prediction.recording import FAR
 

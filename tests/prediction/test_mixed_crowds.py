@@ -81,14 +81,14 @@ def test_the_same_seed_records_the_same_and_the_splits_differ():
 
 
 def test_a_share_of_zero_is_never_drawn():
-    mixture = CrowdMixture(0.0, 0.0, 1.0, 0.0, 1.0)
+    mixture = CrowdMixture(0.0, 0.0, 1.0, 0.0, 1.0, 0.0)
     draws = np.random.default_rng(0)
     assert {draw_kind(mixture, draws) for _ in range(50)} == {'stop_and_go', 'social_force'}
 
 
 def test_shares_that_are_none_are_refused():
     with pytest.raises(ConfigError, match='shares'):
-        CrowdMixture(0.0, 0.0, 0.0, 0.0, 0.0)
+        CrowdMixture(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 def pushed(position, preferred, speed=1.0):

@@ -9,7 +9,15 @@ import math
 import numpy as np
 
 from socialnav_core.compilation import compiled
-from socialnav_core.prediction.learned.layout import EDGE, INPUTS, LAGS, NEIGHBOURS, OWN, REACH
+from socialnav_core.prediction.learned.layout import (
+    EDGE,
+    INPUTS,
+    LAG,
+    LAGS,
+    NEIGHBOURS,
+    OWN,
+    REACH,
+)
 
 STANDING = 0.03  # m/s; a slower velocity has no direction
 LONGEST_APPROACH = 6.0  # s
@@ -25,7 +33,7 @@ def person_features(position, lagged, known, radius, static, valid):  # type: ig
     axis of the world. A frame is (cosine, sine), (people, 2); features are float32.
 
     :param position: m, (batch, agents, 2).
-    :param lagged: velocities at the lags, m/s, (batch, LAGS, agents, 2).
+    :param lagged: velocities and positions at the lags, (batch, LAGS, agents, MOTION).
     :param known: (batch, LAGS, agents).
     :param radius: m, (batch, agents).
     :param static: (batch, agents).
@@ -45,6 +53,7 @@ def person_features(position, lagged, known, radius, static, valid):  # type: ig
     person = 0
     for world in range(batch):
         write_headings(lagged[world], known[world], static[world], headings)
+        crowd = crowd_of(position[world], static[world], valid[world])
         for agent in range(agents):
             if static[world, agent] or not valid[world, agent]:
                 continue
@@ -56,6 +65,8 @@ def person_features(position, lagged, known, radius, static, valid):  # type: ig
             frames[person, 0], frames[person, 1] = cosine, sine
             write_own(lagged[world], known[world], radius[world], agent, cosine, sine,
                       features[person])  # fmt: skip
+            write_past(lagged[world], known[world], agent, cosine, sine, features[person])
+            write_crowd(position[world, agent], crowd, cosine, sine, features[person])
             for slot in range(NEIGHBOURS):
                 if nearest[slot] < 0:
                     break
@@ -127,6 +138,61 @@ def write_own(lagged, known, radius, agent, cosine, sine, out):  # type: ignore[
         share += known[lag, agent] / LAGS
     out[1 + 2 * LAGS] = share
     out[2 + 2 * LAGS] = radius[agent]
+
+
+@compiled
+def write_past(lagged, known, agent, cosine, sine, out):  # type: ignore[no-untyped-def]
+    """
+    Write what the positions say of the motion, and how much the velocities jitter.
+
+    The mean velocities since the lags come less the present one: both err on their own, so that
+    together they tell noise from turning. Jitter is the root mean square of second differences.
+    """
+    begin = 3 + 2 * LAGS
+    now = lagged[0, agent]
+    jitter, count = 0.0, 0
+    for lag in range(1, LAGS):
+        if not known[lag, agent]:
+            continue
+        past = lagged[lag, agent]
+        x = (now[2] - past[2]) / (lag * LAG) - now[0]
+        y = (now[3] - past[3]) / (lag * LAG) - now[1]
+        out[begin + 2 * lag - 2] = x * cosine + y * sine
+        out[begin + 2 * lag - 1] = y * cosine - x * sine
+        if lag > 1 and known[lag - 1, agent]:
+            nearer, nearest = lagged[lag - 1, agent], lagged[lag - 2, agent]
+            x = past[0] - 2.0 * nearer[0] + nearest[0]
+            y = past[1] - 2.0 * nearer[1] + nearest[1]
+            jitter += x * x + y * y
+            count += 1
+    out[begin + 2 * LAGS - 2] = 2.0 * math.sqrt(jitter / max(count, 1))
+
+
+@compiled
+def crowd_of(position, static, valid):  # type: ignore[no-untyped-def]
+    """Return the centre of the people of a world, m, their distance to it, m, and their number."""
+    x, y, square, count = 0.0, 0.0, 0.0, 0
+    for agent in range(len(static)):
+        if valid[agent] and not static[agent]:
+            x, y, count = x + position[agent, 0], y + position[agent, 1], count + 1
+    if count:
+        x, y = x / count, y / count
+    for agent in range(len(static)):
+        if valid[agent] and not static[agent]:
+            square += (position[agent, 0] - x) ** 2 + (position[agent, 1] - y) ** 2
+    return x, y, math.sqrt(square / max(count, 1)), count
+
+
+@compiled
+def write_crowd(position, crowd, cosine, sine, out):  # type: ignore[no-untyped-def]
+    """Write where the centre of the crowd is, how wide it is and how many they are."""
+    x, y = crowd[0] - position[0], crowd[1] - position[1]
+    distance = math.sqrt(x * x + y * y)
+    scale = 0.2 * min(1.0, REACH / max(distance, REACH))  # who is far off is no farther than that
+    out[OWN - 4] = scale * (x * cosine + y * sine)
+    out[OWN - 3] = scale * (y * cosine - x * sine)
+    out[OWN - 2] = 0.2 * min(crowd[2], REACH)
+    out[OWN - 1] = 0.05 * min(crowd[3], 40)
 
 
 @compiled

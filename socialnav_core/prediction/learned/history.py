@@ -1,11 +1,11 @@
-"""What was seen of the agents in the last seconds, and their velocities at fixed lags."""
+"""What was seen of the agents in the last seconds, and their motions at fixed lags."""
 
 import math
 
 import numpy as np
 
 from socialnav_core.compilation import compiled
-from socialnav_core.prediction.learned.layout import LAG, LAGS
+from socialnav_core.prediction.learned.layout import LAG, LAGS, MOTION
 from socialnav_core.states import CrowdState
 
 SAMPLES = 16
@@ -15,87 +15,151 @@ SPACING = 0.1
 LONGEST_GAP = 0.6
 """After a longer gap between two samples the older ones are forgotten, s."""
 TOLERANCE = 1e-6  # times are sums of time steps
+SURE, SURE_SPEED, LARGEST_SPEED = 0.3, 0.5, 2.5
+"""
+Who is within SURE, m, and the way at SURE_SPEED, m/s, of where the person of their slot would be
+is that person. Who is within the way at LARGEST_SPEED of another one's may be that other one.
+"""
 
 
 class History:
     """
-    The last velocities of each agent in each world, newest first.
+    The last motions of each agent in each world, newest first: velocity, then position.
 
-    Agents are told apart by identities. Times tell the steps: whoever asks twice at the same time
-    adds nothing, and a world whose time jumps back has started again.
+    Agents are told apart by where they are: slots may change, and whoever is not where somebody
+    could have walked to is new. Times tell the steps: whoever asks twice at the same time adds
+    nothing, and a world whose time jumps back has started again.
     """
 
     def __init__(self) -> None:
         self.times = np.empty((0, SAMPLES))
-        self.velocities = np.empty((0, SAMPLES, 0, 2))
+        self.motions = np.empty((0, SAMPLES, 0, MOTION))
         self.seen = np.empty((0, SAMPLES, 0), bool)
-        self.identities = np.empty((0, 0), np.int64)
 
     def reset(self, worlds: np.ndarray | None = None) -> None:
         """Forget some worlds, by indices or a mask; None for all."""
         self.times[slice(None) if worlds is None else worlds] = -math.inf
 
-    def update(self, state: CrowdState, identities: np.ndarray | None = None) -> None:
-        """
-        Add what is seen now.
-
-        :param identities: whole numbers that stay with an agent whatever its slot is,
-            (batch, agents); None where agents keep their slots.
-        """
+    def update(self, state: CrowdState) -> None:
+        """Add what is seen now."""
         agents = state.agents
-        shape = (state.batch_size, agents.count)
-        if identities is None:
-            identities = np.broadcast_to(np.arange(agents.count), shape)
-        if self.times.shape[0] != state.batch_size:
-            self._begin(shape, identities)
-        if self.identities.shape != shape or (self.identities != identities).any():
-            self._follow(identities)
-        add_samples(
-            state.time, agents.velocity, agents.valid, self.times, self.velocities, self.seen
-        )
+        batch, count = agents.valid.shape
+        if self.times.shape[0] != batch:
+            self.times = np.full((batch, SAMPLES), -math.inf)
+            self.motions = np.zeros((batch, SAMPLES, count, MOTION))
+            self.seen = np.zeros((batch, SAMPLES, count), bool)
+        motion = np.concatenate([agents.velocity, agents.position], axis=2)
+        walking = agents.valid & ~agents.static
+        before = former_slots(state.time, motion, walking, self.times, self.motions, self.seen)
+        if count != self.seen.shape[2] or (before != np.arange(count)).any():
+            self._follow(before)
+        add_samples(state.time, motion, walking, self.times, self.motions, self.seen)
 
     def lagged(self) -> tuple[np.ndarray, np.ndarray]:
         """
-        Return the velocities LAG, 2 LAG, ... ago and whether they are known, now first.
+        Return the motions LAG, 2 LAG, ... ago and whether they are known, now first.
 
-        Shapes are (batch, LAGS, agents, 2) and (batch, LAGS, agents).
+        Shapes are (batch, LAGS, agents, MOTION) and (batch, LAGS, agents).
         """
-        return lagged_velocities(self.times, self.velocities, self.seen)
+        return lagged_motions(self.times, self.motions, self.seen)
 
-    def _begin(self, shape: tuple[int, int], identities: np.ndarray) -> None:
-        """Make room for worlds of which nothing is known."""
-        batch, agents = shape
-        self.times = np.full((batch, SAMPLES), -math.inf)
-        self.velocities = np.zeros((batch, SAMPLES, agents, 2))
-        self.seen = np.zeros((batch, SAMPLES, agents), bool)
-        self.identities = identities.copy()
-
-    def _follow(self, identities: np.ndarray) -> None:
-        """Move what is known of each agent to the slot that it has now."""
-        same = identities[:, :, None] == self.identities[:, None]
-        known = same.any(axis=2)
-        origin = same.argmax(axis=2) if self.identities.shape[1] else np.zeros(known.shape, int)
-        self.identities = identities.copy()
-        if not self.seen.shape[2]:
-            self._begin((len(identities), identities.shape[1]), identities)
-            return
-        self.velocities = np.take_along_axis(self.velocities, origin[:, None, :, None], axis=2)
-        self.seen = np.take_along_axis(self.seen, origin[:, None], axis=2) & known[:, None]
+    def _follow(self, before: np.ndarray) -> None:
+        """Move what is known of each agent to its slot from the one before, (batch, agents)."""
+        batch, count = before.shape
+        motions = np.zeros((batch, SAMPLES, count, MOTION))
+        seen = np.zeros((batch, SAMPLES, count), bool)
+        world, slot = np.nonzero(before >= 0)
+        motions[world, :, slot] = self.motions[world, :, before[world, slot]]
+        seen[world, :, slot] = self.seen[world, :, before[world, slot]]
+        self.motions, self.seen = motions, seen
 
 
 @compiled
-def add_samples(time, velocity, valid, times, velocities, seen):  # type: ignore[no-untyped-def]
+def former_slots(time, motion, walking, times, motions, seen):  # type: ignore[no-untyped-def]
     """
-    Put the present velocities in front of the samples of each world, in place.
+    Return the slot that each agent had before, -1 for who is new, (batch, agents).
+
+    Everybody was in the slot that they are in now if its person would be about there by now; else
+    in the nearest one whose person could be there.
+
+    :param time: s, (batch,).
+    :param motion: velocity and position, (batch, agents, MOTION).
+    :param walking: whether somebody is there who is no obstacle, (batch, agents).
+    :param times: s, newest first, -inf where there is no sample, (batch, samples).
+    :param motions: velocities and positions, (batch, samples, slots, MOTION).
+    :param seen: whether somebody was there, (batch, samples, slots).
+    """
+    batch, agents, slots = walking.shape[0], walking.shape[1], seen.shape[2]
+    before = np.full((batch, agents), -1)
+    expected, age, taken = np.empty((slots, 2)), np.empty(slots), np.empty(slots, np.bool_)
+    for world in range(batch):
+        expect(time[world], times[world], motions[world], seen[world], expected, age)
+        taken[:] = False
+        for agent in range(min(agents, slots)):
+            away = distance(motion[world, agent], expected[agent])
+            if walking[world, agent] and away <= SURE + SURE_SPEED * age[agent] < np.inf:
+                before[world, agent], taken[agent] = agent, True
+        for agent in range(agents):
+            if walking[world, agent] and before[world, agent] < 0:
+                slot = nearest_slot(motion[world, agent], expected, age, taken)
+                before[world, agent] = slot
+                if slot >= 0:
+                    taken[slot] = True
+        for agent in range(min(agents, slots)):  # of who is not seen now, or was never seen here
+            unseen = age[agent] == np.inf or not walking[world, agent]
+            if before[world, agent] < 0 and unseen and not taken[agent]:
+                before[world, agent] = agent
+    return before
+
+
+@compiled
+def expect(time, times, motions, seen, expected, age):  # type: ignore[no-untyped-def]
+    """Write where the person of each slot would be by now, m, and when it was seen, s ago."""
+    for slot in range(seen.shape[1]):
+        age[slot] = np.inf
+        for sample in range(len(times)):
+            if not time - times[sample] <= LONGEST_GAP:
+                break
+            if seen[sample, slot]:
+                age[slot] = max(time - times[sample], 0.0)
+                for axis in range(2):
+                    expected[slot, axis] = (
+                        motions[sample, slot, 2 + axis] + age[slot] * motions[sample, slot, axis]
+                    )
+                break
+
+
+@compiled
+def distance(motion, place):  # type: ignore[no-untyped-def]
+    """Return how far somebody is from a place, m."""
+    return math.sqrt((motion[2] - place[0]) ** 2 + (motion[3] - place[1]) ** 2)
+
+
+@compiled
+def nearest_slot(motion, expected, age, taken):  # type: ignore[no-untyped-def]
+    """Return the nearest slot that is free and whose person could be here, or -1."""
+    found, least = -1, np.inf
+    for slot in range(len(age)):
+        away = distance(motion, expected[slot])
+        near = away <= SURE + LARGEST_SPEED * age[slot] < np.inf
+        if near and not taken[slot] and away < least:
+            found, least = slot, away
+    return found
+
+
+@compiled
+def add_samples(time, motion, valid, times, motions, seen):  # type: ignore[no-untyped-def]
+    """
+    Put the present motions in front of the samples of each world, in place.
 
     The newest sample is always that of now; it gives way to the next unless SPACING lies between
     it and the one before.
 
     :param time: s, (batch,).
-    :param velocity: m/s, (batch, agents, 2).
+    :param motion: velocity and position, (batch, agents, MOTION).
     :param valid: (batch, agents).
     :param times: s, newest first, -inf where there is none, (batch, samples).
-    :param velocities: m/s, (batch, samples, agents, 2).
+    :param motions: velocities and positions, (batch, samples, agents, MOTION).
     :param seen: whether the agent was there, (batch, samples, agents).
     """
     samples = times.shape[1]
@@ -107,24 +171,24 @@ def add_samples(time, velocity, valid, times, velocities, seen):  # type: ignore
         if not same and newest - times[world, 1] >= SPACING - TOLERANCE:
             for sample in range(samples - 1, 0, -1):
                 times[world, sample] = times[world, sample - 1]
-                velocities[world, sample] = velocities[world, sample - 1]
+                motions[world, sample] = motions[world, sample - 1]
                 seen[world, sample] = seen[world, sample - 1]
         times[world, 0] = now
-        velocities[world, 0] = velocity[world]
+        motions[world, 0] = motion[world]
         seen[world, 0] = valid[world]
 
 
 @compiled
-def lagged_velocities(times, velocities, seen):  # type: ignore[no-untyped-def]
+def lagged_motions(times, motions, seen):  # type: ignore[no-untyped-def]
     """
-    Return the velocities at fixed lags, linear between samples, and whether they are known.
+    Return the motions at fixed lags, linear between samples, and whether they are known.
 
     :param times: s, newest first, -inf where there is no sample, (batch, samples).
-    :param velocities: m/s, (batch, samples, agents, 2).
+    :param motions: velocities and positions, (batch, samples, agents, MOTION).
     :param seen: whether the agent was there, (batch, samples, agents).
     """
     batch, samples, agents = seen.shape
-    lagged = np.zeros((batch, LAGS, agents, 2))
+    lagged = np.zeros((batch, LAGS, agents, MOTION))
     known = np.zeros((batch, LAGS, agents), np.bool_)
     for world in range(batch):
         newer = 0
@@ -143,8 +207,8 @@ def lagged_velocities(times, velocities, seen):  # type: ignore[no-untyped-def]
             for agent in range(agents):
                 if seen[world, newer, agent] and seen[world, older, agent]:
                     known[world, lag, agent] = True
-                    for axis in range(2):
-                        lagged[world, lag, agent, axis] = (1.0 - share) * velocities[
-                            world, newer, agent, axis
-                        ] + share * velocities[world, older, agent, axis]
+                    for part in range(MOTION):
+                        lagged[world, lag, agent, part] = (1.0 - share) * motions[
+                            world, newer, agent, part
+                        ] + share * motions[world, older, agent, part]
     return lagged, known

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from socialnav_core.compilation import compiled
-from socialnav_core.prediction.learned.layout import SCALE, STEP, STEPS
+from socialnav_core.prediction.learned.layout import DOUBT, SCALE, STEP, STEPS
 
 LEAST_LOGARITHM, GREATEST_LOGARITHM = -6.0, 6.0  # of a deviation, in units of SCALE
 LEAST_DEVIATION = 1e-3  # m; also that of obstacles, so that whoever divides by one may
@@ -32,8 +32,9 @@ def place(outputs, people, frames, velocity, times, positions, deviations):  # t
     for person in range(people.shape[0]):
         world, agent = people[person, 0], people[person, 1]
         for step in range(STEPS):
-            residuals[step + 1, 0] = outputs[person, 2 * step] * SCALE[step]
-            residuals[step + 1, 1] = outputs[person, 2 * step + 1] * SCALE[step]
+            x, y = outputs[person, 2 * step], outputs[person, 2 * step + 1]
+            belief = SCALE[step] * (x * x + y * y) / (x * x + y * y + DOUBT * DOUBT)
+            residuals[step + 1, 0], residuals[step + 1, 1] = belief * x, belief * y
             logarithm = min(max(outputs[person, 2 * STEPS + step], LEAST_LOGARITHM),
                             GREATEST_LOGARITHM)  # fmt: skip
             spread[step + 1] = math.exp(logarithm) * SCALE[step]

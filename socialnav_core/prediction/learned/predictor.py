@@ -32,19 +32,15 @@ class LearnedPredictor:
         self.layers = Layers(weights)
         self.history = History()
 
-    def predict(
-        self, state: CrowdState, times: np.ndarray, identities: np.ndarray | None = None
-    ) -> Prediction:
+    def predict(self, state: CrowdState, times: np.ndarray) -> Prediction:
         """
         Return where the agents of a state will be, and remember the state.
 
         :param times: from the time of the state, s, (steps,).
-        :param identities: whole numbers that tell agents apart when their slots change,
-            (batch, agents); None where agents keep their slots.
         """
         agents = state.agents
         times = np.asarray(times, np.float64)
-        self.history.update(state, identities)
+        self.history.update(state)
         lagged, known = self.history.lagged()
         people, features, frames = person_features(
             agents.position, lagged, known, agents.radius, agents.static, agents.valid

@@ -13,16 +13,19 @@ from socialnav_core.simulation.crowds.orca import RADIUS_PADDING, RECIPROCAL
 from socialnav_core.simulation.crowds.orca_kernel import Bodies, Foresight, orca_step
 from socialnav_core.simulation.crowds.social_force_kernel import social_force_step
 from socialnav_core.training.prediction.recording import Recording
+from socialnav_core.training.prediction.streets import as_tracked, FAR, walk_along, with_company
 
 NAMED = ('crowd20', 'hard', 'packed-2.5', 'curriculum-2.5', 'simple')
 TIME_STEPS = (0.1, 0.125, 0.2, 0.25)
 PASSING_SHARE = 0.5
 """Share of the crowds, scenarios aside, whose people walk straight on through their world."""
-FAR = 100.0  # m; where those who pass want to go
 USUAL_RADIUS_SHARE = 0.3
 """Share of the crowds, scenarios aside, whose people have the radius that trackers assume."""
-STOP_RATE = 0.12  # 1/s
-GOAL_RATE = 0.03  # 1/s
+STREET_TIME_STEPS = (0.1, 0.2, 0.25, 0.4)
+TRACKED_SHARE = 0.3
+"""Share of the crowds, scenarios and streets aside, that are seen as by a tracker."""
+RATES = {'stop_and_go': (0.12, 0.03), 'street': (0.03, 0.0)}
+"""How often people stop, and how often they turn to another goal, 1/s."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -36,7 +39,9 @@ class Crowd:
     unaware_share: float = 0.0
     """Share of the people who avoid nobody."""
     passing: bool = False
-    """Whether people walk on instead of turning within their world, as in a street."""
+    """Whether people walk on instead of turning within their world."""
+    tracked: bool = False
+    """Whether bodies sway, and velocities are differences of marked positions."""
     force: tuple[float, float, float, float] = (2.0, 0.3, 0.5, 0.3)
     """Strength, reach, relaxation and share from behind of social forces."""
 
@@ -55,7 +60,12 @@ def draw_crowd(kind: str, generator: np.random.Generator) -> Crowd:
     force = tuple(generator.uniform((1.0, 0.15, 0.4, 0.1), (4.0, 0.5, 0.8, 0.6)).tolist())
     share = generator.uniform(0.2, 1.0) if kind == 'unaware' else 0.0
     passing = bool(generator.random() < PASSING_SHARE)
-    return Crowd(kind, draw_scenario(generator), share, passing, force)
+    tracked = bool(generator.random() < TRACKED_SHARE) or kind == 'street'
+    scenario = draw_scenario(generator)
+    if kind == 'street':
+        time_step = float(generator.choice(STREET_TIME_STEPS))
+        scenario = dataclasses.replace(scenario, time_step=time_step)
+    return Crowd(kind, scenario, share, passing, tracked, force)
 
 
 def draw_scenario(generator: np.random.Generator) -> Scenario:
@@ -122,16 +132,19 @@ def record(
         position[:, moment] = agents.position[:, :people]
         velocity[:, moment] = agents.velocity[:, :people]
         goal[:, moment] = episodes.goal[:, :people]
-        if crowd.kind == 'stop_and_go':
-            change_minds(scenario, episodes, pause, generator)
+        if crowd.kind in RATES:
+            change_minds(crowd, episodes, pause, generator)
         decide(crowd, episodes, unaware, pause > 0, decided)
         agents.velocity[:] = decided
         agents.position += decided * scenario.time_step
         renew_goals(episodes)
-    return Recording(
+    recording = Recording(
         scenario.time_step, position, velocity, goal, agents.radius.copy(),
         agents.position[:, people:].copy(),
     )  # fmt: skip
+    if crowd.kind == 'street':
+        recording = with_company(recording, generator)
+    return as_tracked(recording, generator) if crowd.tracked else recording
 
 
 def draw_people(
@@ -152,22 +165,25 @@ def draw_people(
             array[:, :people] = common + spread * (own - common)
         if generator.random() < USUAL_RADIUS_SHARE:
             episodes.state.agents.radius[:, :people] = Scenario('usual').pedestrian_radius
-    if crowd.passing:
+    unaware, pause = generator.random(shape) < crowd.unaware_share, np.zeros(shape)
+    if crowd.kind == 'street':
+        pause = walk_along(episodes, people, generator)
+    elif crowd.passing:
         start, goal = episodes.state.agents.position[:, :people], episodes.goal[:, :people]
         way = goal - start
         goal[:] = start + FAR * way / np.linalg.norm(way, axis=-1, keepdims=True)
-    return generator.random(shape) < crowd.unaware_share, np.zeros(shape)
+    return unaware, pause
 
 
 def change_minds(
-    scenario: Scenario, episodes: Episodes, pause: np.ndarray, generator: np.random.Generator
+    crowd: Crowd, episodes: Episodes, pause: np.ndarray, generator: np.random.Generator
 ) -> None:
     """Let some people stop for .5 to 4 s and some turn to another goal, in place."""
-    step = scenario.time_step
+    step, (stop_rate, goal_rate) = crowd.scenario.time_step, RATES[crowd.kind]
     pause -= step
-    stops = (pause <= 0) & (generator.random(pause.shape) < STOP_RATE * step)
+    stops = (pause <= 0) & (generator.random(pause.shape) < stop_rate * step)
     pause[stops] = generator.uniform(0.5, 4.0, pause.shape)[stops]
-    turns = generator.random(pause.shape) < GOAL_RATE * step
+    turns = generator.random(pause.shape) < goal_rate * step
     here = episodes.state.agents.position[:, : pause.shape[1]]
     episodes.goal[:, : pause.shape[1]][turns] = here[turns]  # arrived: renew_goals draws another
 

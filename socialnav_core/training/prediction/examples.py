@@ -6,8 +6,8 @@ import numpy as np
 
 from socialnav_core.config.prediction import NoiseConfig
 from socialnav_core.prediction.learned.features import person_features
-from socialnav_core.prediction.learned.history import lagged_velocities, SAMPLES
-from socialnav_core.prediction.learned.layout import LAG, LAGS, TIMES
+from socialnav_core.prediction.learned.history import lagged_motions, SAMPLES
+from socialnav_core.prediction.learned.layout import LAG, LAGS, MOTION, TIMES
 from socialnav_core.training.prediction.recording import Recording
 
 GREATEST_NOISE = 1.2  # in units of the standard deviations of NoiseConfig
@@ -47,17 +47,16 @@ def recording_examples(
 ) -> Examples:
     """Return everybody at some random moments of a recording, seen with a level of noise."""
     world, moment = draw_moments(recording, count, noise.beginning, generator)
-    times, velocities, seen = seen_samples(recording, world, moment, noise.forgetting, generator)
-    position = recording.position[world, moment].astype(np.float64)
+    times, motions, seen = seen_samples(recording, world, moment, noise.forgetting, generator)
+    if level:
+        scale = level * np.repeat([noise.velocity, noise.position], 2)
+        motions += scale * generator.standard_normal(motions.shape)
+    position = motions[:, 0, :, 2:]
     truth = recording.future(world, moment, TIMES) - position[:, None]
     goal = recording.goal[world, moment] - position
-    if level:
-        error = level * noise.position * generator.standard_normal(position.shape)
-        position, truth = position + error, truth - error[:, None]
-        velocities += level * noise.velocity * generator.standard_normal(velocities.shape)
-    lagged, known = lagged_velocities(times, velocities, seen)
+    lagged, known = lagged_motions(times, motions, seen)
     features, frames = everybody(recording, world, position, lagged, known)
-    constant = lagged[:, 0, :, None] * TIMES[:, None]
+    constant = lagged[:, 0, :, None, :2] * TIMES[:, None]
     residual = truth.transpose(0, 2, 1, 3) - constant
     people = residual.shape[0] * residual.shape[1]
     return Examples(
@@ -89,19 +88,22 @@ def seen_samples(
     generator: np.random.Generator,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """
-    Return times, velocities and whether people were seen, newest first, as a History has them.
+    Return times, motions and whether people were seen, newest first, as a History has them.
 
     :param forgetting: share of the people whose older samples are missing.
     """
     back = moment[:, None] - np.arange(SAMPLES)
     times = np.where(back >= 0, back * recording.time_step, -np.inf)
-    velocities = recording.velocity[world[:, None], np.maximum(back, 0)].astype(np.float64)
+    index = world[:, None], np.maximum(back, 0)
+    motions = np.concatenate(
+        [recording.velocity[index], recording.position[index]], axis=-1, dtype=np.float64
+    )
     shape = (len(world), recording.people)
     kept = np.where(
         generator.random(shape) < forgetting, generator.integers(1, SAMPLES, shape), SAMPLES
     )
     seen = (np.arange(SAMPLES)[:, None] < kept[:, None]) & (back >= 0)[:, :, None]
-    return times, velocities, seen
+    return times, motions, seen
 
 
 def everybody(
@@ -114,7 +116,7 @@ def everybody(
     """Return features and frames of all people among people and obstacles."""
     centres = np.concatenate([position, recording.obstacles[world]], axis=1)
     walls = recording.obstacles.shape[1]
-    lagged = np.concatenate([lagged, np.zeros((*lagged.shape[:2], walls, 2))], axis=2)
+    lagged = np.concatenate([lagged, np.zeros((*lagged.shape[:2], walls, MOTION))], axis=2)
     known = np.concatenate([known, np.zeros((*known.shape[:2], walls), bool)], axis=2)
     static = np.tile(np.arange(centres.shape[1]) >= recording.people, (len(world), 1))
     _, features, frames = person_features(

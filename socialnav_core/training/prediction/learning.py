@@ -93,7 +93,7 @@ def iterate(run: PredictionRun) -> dict[str, float]:
     while run.updates < last:
         total += update(run)
     validation = validate(run.network, run.validation, settings)
-    run.keep_best(validation.loss)
+    run.keep_best(validation)
     run.seconds += time.perf_counter() - started
     run.processor_seconds += time.process_time() - used
     return {

@@ -7,8 +7,12 @@ import torch
 
 from socialnav_core.config.prediction import PredictionConfig
 from socialnav_core.training.prediction.dataset import record_crowds
-from socialnav_core.training.prediction.network import build_network, inference_weights
-from socialnav_core.training.prediction.validation import validation_examples
+from socialnav_core.training.prediction.network import (
+    build_network,
+    calibrated,
+    inference_weights,
+)
+from socialnav_core.training.prediction.validation import Validation, validation_examples
 from socialnav_core.training.resume import (
     Arrays,
     network_arrays,
@@ -43,10 +47,11 @@ class PredictionRun:
         """Return whether the run is as long as it should be."""
         return self.updates >= self.config.training.updates
 
-    def keep_best(self, loss: float) -> None:
-        """Keep the weights of now if they are the best on the validation crowds so far."""
-        if loss < self.best_loss:
-            self.best_loss, self.best_weights = loss, inference_weights(self.network)
+    def keep_best(self, found: Validation) -> None:
+        """Keep the weights of now, calibrated, if they are the best on the validation crowds."""
+        if found.loss < self.best_loss:
+            self.best_loss = found.loss
+            self.best_weights = calibrated(inference_weights(self.network), found.factors)
 
     def sections(self) -> dict[str, Arrays]:
         """Return all that `restore` needs, part by part; crowds follow from the seed."""
