@@ -86,7 +86,8 @@ def make_scenario(name: str, settings: Mapping[str, Any] | None = None) -> Scena
         return _FIXED[name]
     recorded = RECORDED_NAME.fullmatch(name)
     if recorded:
-        return recorded_scenario(name, *recorded.groups(), recorded_interval(settings or {}))
+        crowd, file = recorded.groups()
+        return recorded_scenario(name, crowd, file, recorded_interval(settings or {}))
     family, _, text = name.partition('-')
     if family in ('curriculum', 'packed') and re.fullmatch(r'[0-9]{1,9}(\.[0-9]{1,9})?', text):
         return growing_scenario(family, float(text))

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from socialnav_core.config import ConfigError
+from socialnav_core.config.recordings import read_tracks
 from socialnav_core.evaluation.prediction import evaluate_prediction, measure_prediction, TIMES
-from socialnav_core.evaluation.recorded_people import read_tracks, track_moments
+from socialnav_core.evaluation.recorded_people import track_moments
 from socialnav_core.prediction.protocol import Prediction
 
 
@@ -52,8 +53,8 @@ def test_the_same_seed_judges_on_the_same_people_and_noise_makes_it_harder():
 @pytest.fixture
 def tracks(tmp_path):
     """Return the tracks of two people, of whom the second comes later and walks on straight."""
-    lines = [f'{10 * frame} 1 {0.1 * frame**2} 0 0 0' for frame in range(16)]
-    lines += [f'{10 * frame} 7 {frame} {2 * frame} 9 9' for frame in range(3, 16)]
+    lines = [f'{10 * frame} 1 {0.04 * frame**2} 0 0 0' for frame in range(16)]
+    lines += [f'{10 * frame} 7 {0.3 * frame} {0.6 * frame} 9 9' for frame in range(3, 16)]
     path = tmp_path / 'people.txt'
     path.write_text('\n'.join(lines))
     return read_tracks(path)
@@ -83,5 +84,5 @@ def test_tracks_that_are_too_short_are_an_error(tracks):
 
 def test_a_file_of_anything_else_is_refused(tmp_path):
     (tmp_path / 'text').write_text('no people here')
-    with pytest.raises(ConfigError, match='no recorded people'):
+    with pytest.raises(ConfigError, match='line 1 needs four numbers'):
         read_tracks(tmp_path / 'text')
