@@ -56,6 +56,7 @@ def record_futures(scenario: Scenario, cases: np.ndarray, seed: int, split: str)
     episodes.start(worlds)
     crowd.reset(episodes, worlds)
     start, agents = episodes.state.copy(), episodes.state.agents
+    episodes.state.robot.position[:] = FAR  # so that everybody appears, on its start too
     position = np.empty((len(cases), steps, *agents.position.shape[1:]))
     velocity, decided = np.empty_like(position), np.zeros_like(agents.velocity)
     for step in range(steps):

@@ -6,6 +6,12 @@ from socialnav_core.config import Scenario
 from socialnav_core.simulation.cases import Episodes
 from socialnav_core.simulation.recorded import first_moment, Replay, replay_of
 
+LEAST_GAP = 1.0
+"""
+Nobody appears nearer to the robot, m from rim to rim: who comes into the picture would come onto
+it. From so far a robot of 1 m/s can step aside of somebody of 1.5 m/s.
+"""
+
 
 def make_crowd(scenario: Scenario, batch_size: int) -> 'RecordedCrowd':
     """Return the crowd."""
@@ -28,7 +34,7 @@ class RecordedCrowd:
             self._begin[world] = first_moment(episodes.scenario, queue.split, queue.seed, case)
         episodes.state.agents.valid[worlds] = False
         episodes.state.agents.position[worlds] = 0.0
-        self.come_and_go(episodes, worlds)
+        self.come_and_go(episodes, worlds, least_gap=0.0)
 
     def decide(self, episodes: Episodes, due: np.ndarray, velocities: np.ndarray) -> None:
         """Write what people did then; see Crowd.decide."""
@@ -41,12 +47,21 @@ class RecordedCrowd:
         """Let people come and go; called after each step."""
         self.come_and_go(episodes, np.flatnonzero(episodes.active))
 
-    def come_and_go(self, episodes: Episodes, worlds: np.ndarray) -> None:
-        """Put those who come where they were, with the velocity that they had."""
-        replay, agents = self._replay, episodes.state.agents
+    def come_and_go(
+        self, episodes: Episodes, worlds: np.ndarray, least_gap: float = LEAST_GAP
+    ) -> None:
+        """
+        Put those who come where they were, with the velocity that they had.
+
+        :param least_gap: who would appear nearer to the robot is not there until farther away, m.
+        """
+        replay, agents, robot = self._replay, episodes.state.agents, episodes.state.robot
         slots = replay.there.shape[1]
         moments = self.moments(episodes)[worlds]
         there, known = replay.there[moments], agents.valid[worlds, :slots]
+        gap = np.linalg.norm(replay.position[moments] - robot.position[worlds, None], axis=-1)
+        gap -= agents.radius[worlds, :slots] + robot.radius[worlds, None]
+        there &= known | (gap >= least_gap)
         row, slot = np.nonzero(there & ~known)
         agents.position[worlds[row], slot] = replay.position[moments[row], slot]
         agents.velocity[worlds[row], slot] = replay.velocity[moments[row] - 1, slot]

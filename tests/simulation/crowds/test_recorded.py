@@ -16,6 +16,7 @@ from socialnav_core.evaluation.futures import record_futures
 from socialnav_core.evaluation.witness import witness_of
 from socialnav_core.policies import StraightLinePolicy
 from socialnav_core.simulation import Simulator
+from socialnav_core.simulation.crowds.recorded import LEAST_GAP
 from socialnav_core.simulation.crowds.recorded_reactive import HASTE, NEAR, SLOWEST
 from socialnav_core.simulation.recorded import CLEAR_TIME, first_moment, first_moments, replay_of
 from socialnav_core.viewing import record
@@ -75,13 +76,33 @@ def test_people_come_and_go_and_who_is_not_there_touches_nobody():
 
 
 def test_people_do_not_react_to_the_robot():
-    far, near = watched(robot=OUTSIDE), watched(robot=None)
+    far, near = watched(robot=OUTSIDE), watched(robot=0.0)
+    shared = 0
     for before, after in zip(far, near, strict=True):
-        active = np.isclose(before.time, after.time)  # where the robot was not run over
-        valid = before.agents.valid[active]
-        np.testing.assert_array_equal(
-            before.agents.position[active][valid], after.agents.position[active][valid]
-        )
+        both = before.agents.valid & after.agents.valid
+        both &= np.isclose(before.time, after.time)[:, None]  # where the robot was not run over
+        shared += both.sum()
+        np.testing.assert_array_equal(before.agents.position[both], after.agents.position[both])
+    assert shared > 500
+
+
+def test_nobody_appears_near_the_robot_but_everybody_is_there_in_the_futures():
+    late = 0
+    for robot in np.arange(-6.0, 7.0, 2.0):
+        states = watched(robot=(robot, 1.0))
+        for before, after in itertools.pairwise(states[1:]):
+            came = after.agents.valid & ~before.agents.valid
+            gap = np.linalg.norm(after.agents.position - after.robot.position[:, None], axis=-1)
+            assert (gap[came] >= LEAST_GAP + 0.6).all()
+            going_on = np.isclose(after.time, before.time + WORLD.time_step)
+            moments = [first_moment(WORLD, 'test', 0, case) for case in range(WORLDS)]
+            there = replay_of(WORLD).there[moments + np.rint(after.time / 0.25).astype(int)]
+            late += (there & ~after.agents.valid)[going_on].sum()
+    assert late > 0
+    futures = record_futures(WORLD, np.arange(WORLDS), 0, 'test')
+    for step in range(60):
+        there = replay_of(WORLD).there[np.array(moments) + step]
+        np.testing.assert_array_equal(futures.position[:, step, :, 0] < 1e5, there)
 
 
 def test_steps_of_parts_of_a_time_step_lead_to_the_same_people():
