@@ -22,6 +22,10 @@ CROWDS = {
     'non_reactive': 'people walk straight to their goals and react to nobody',
     'social_force': 'people push each other away, as in the social force model',
     'changing': 'as orca, but people change their goals, and new ones come for those who arrive',
+    'stop_and_go': 'as orca, but people stop all of a sudden for 0.5 to 4 s',
+    'distracted': 'as orca, but three in ten look at their phones and give way to nobody',
+    'headed_social_force': 'as social_force, but people walk where they look',
+    'groups': 'as social_force, but people walk in groups of two to four',
     'recorded': 'recorded people do again what they did, and react to nobody',
     'recorded_reactive': 'the same, but near the robot they avoid it, as orca',
 }

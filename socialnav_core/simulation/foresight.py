@@ -14,7 +14,7 @@ def foresee(episodes: Episodes, crowd: Crowd, steps: int) -> np.ndarray:
     """
     agents, active = episodes.state.agents, episodes.active
     kept, position, velocity = crowd.get_state(), agents.position.copy(), agents.velocity.copy()
-    time = episodes.state.time.copy()
+    time, streams = episodes.state.time.copy(), episodes.goal_streams.copy()
     out = np.empty((len(position), steps, *position.shape[1:]))
     decided = np.zeros_like(velocity)
     for step in range(steps):
@@ -25,5 +25,5 @@ def foresee(episodes: Episodes, crowd: Crowd, steps: int) -> np.ndarray:
         episodes.state.time += episodes.scenario.time_step
     crowd.set_state(kept)
     agents.position[:], agents.velocity[:] = position, velocity
-    episodes.state.time[:] = time
+    episodes.state.time[:], episodes.goal_streams[:] = time, streams
     return out

@@ -126,7 +126,8 @@ def robot_places(
     Return where the robot of a case starts and where it shall arrive, m, (2,) each.
 
     Both are places where somebody walked at some time; nobody comes to the start within
-    CLEAR_TIME. A start or goal that the scenario chooses is taken as it is.
+    CLEAR_TIME, and nobody stands on the goal for most of the case. A start or goal that the
+    scenario chooses is taken as it is.
 
     :raises PackingError: when no two such places are found.
     """
@@ -149,10 +150,19 @@ def robot_places(
             scenario.robot_start is not None
             or not (np.linalg.norm(people - start, axis=1) < keep).any()
         )
-        if chosen or (free and scenario.minimum_travel <= way <= scenario.maximum_travel):
+        apart = scenario.minimum_travel <= way <= scenario.maximum_travel
+        if chosen or (free and apart and is_open(replay, scenario, moment, goal)):
             return start, goal
     raise PackingError(
         f'scenario {scenario.name}: no start and goal {scenario.minimum_travel:g} to '
         f'{scenario.maximum_travel:g} m apart were found among the places where recorded people '
         f'walked (case {case}); change minimum_travel or maximum_travel'
     )
+
+
+def is_open(replay: Replay, scenario: Scenario, moment: int, goal: np.ndarray) -> bool:
+    """Return whether a robot could arrive at a goal for half of the case at least."""
+    case = slice(moment, moment + math.ceil(scenario.time_limit / scenario.time_step))
+    touch = scenario.robot_radius + scenario.pedestrian_radius - scenario.goal_tolerance
+    near = np.linalg.norm(replay.position[case] - goal, axis=-1) < touch
+    return bool((near & replay.there[case]).any(axis=1).mean() <= 0.5)

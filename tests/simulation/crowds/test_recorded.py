@@ -18,7 +18,13 @@ from socialnav_core.policies import StraightLinePolicy
 from socialnav_core.simulation import Simulator
 from socialnav_core.simulation.crowds.recorded import LEAST_GAP
 from socialnav_core.simulation.crowds.recorded_reactive import HASTE, NEAR, SLOWEST
-from socialnav_core.simulation.recorded import CLEAR_TIME, first_moment, first_moments, replay_of
+from socialnav_core.simulation.recorded import (
+    CLEAR_TIME,
+    first_moment,
+    first_moments,
+    is_open,
+    replay_of,
+)
 from socialnav_core.viewing import record
 
 FILE = Path(__file__).parents[2] / 'data' / 'recorded_people.txt'
@@ -158,6 +164,16 @@ def test_nobody_comes_to_the_robots_start_within_a_second():
     for _ in range(round(CLEAR_TIME / WORLD.time_step)):
         info = simulator.step(np.zeros((100, 2)))[4]
         assert (info['pedestrian_clearance'] > 0.1).all()
+
+
+def test_nobody_stands_on_the_goal_most_of_the_time():
+    replay, moment = replay_of(WORLD), round(50 * INTERVAL / WORLD.time_step)
+    waiting = np.linalg.norm(replay.velocity[moment], axis=1) < 0.1
+    waiting &= replay.there[moment]
+    assert waiting.sum() == 1
+    (place,) = replay.position[moment][waiting]
+    assert not is_open(replay, WORLD, moment, place)
+    assert is_open(replay, WORLD, moment, place + 0.35)
 
 
 def test_a_start_and_a_goal_that_are_chosen_are_taken():
