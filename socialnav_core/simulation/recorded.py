@@ -161,8 +161,8 @@ def robot_places(
 
 
 def is_open(replay: Replay, scenario: Scenario, moment: int, goal: np.ndarray) -> bool:
-    """Return whether a robot could arrive at a goal for half of the case at least."""
+    """Return whether a robot could arrive in comfort for half of the case at least."""
     case = slice(moment, moment + math.ceil(scenario.time_limit / scenario.time_step))
     touch = scenario.robot_radius + scenario.pedestrian_radius - scenario.goal_tolerance
-    near = np.linalg.norm(replay.position[case] - goal, axis=-1) < touch
+    near = np.linalg.norm(replay.position[case] - goal, axis=-1) < touch + GAP
     return bool((near & replay.there[case]).any(axis=1).mean() <= 0.5)

@@ -173,7 +173,7 @@ def test_nobody_stands_on_the_goal_most_of_the_time():
     assert waiting.sum() == 1
     (place,) = replay.position[moment][waiting]
     assert not is_open(replay, WORLD, moment, place)
-    assert is_open(replay, WORLD, moment, place + 0.35)
+    assert is_open(replay, WORLD, moment, place + 0.5)
 
 
 def test_a_start_and_a_goal_that_are_chosen_are_taken():
