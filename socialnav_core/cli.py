@@ -15,6 +15,7 @@ from socialnav_core.commands import (
     benchmark,
     bound,
     compare,
+    crowds,
     evaluate,
     evaluate_prediction,
     export,
@@ -36,6 +37,7 @@ from socialnav_core.termination import terminated_like_interrupted
 COMMANDS = (
     train, evaluate, compare, render, benchmark, models, metrics, scenarios, settings,
     train_planner, train_prediction, evaluate_prediction, bound, grid, export,
+    crowds,
 )  # fmt: skip
 """Modules with `add_parser`, which names the function that runs the command."""
 OTHERS = 'socialnav.commands'

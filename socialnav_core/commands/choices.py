@@ -13,6 +13,7 @@ from socialnav_core.config import (
     Scenario,
 )
 from socialnav_core.config.mapping import parse_assignments, replace
+from socialnav_core.config.recorded import RECORDED_NAME
 
 if TYPE_CHECKING:  # torch takes a second, which --help need not
     from socialnav_core.policies import Policy
@@ -40,14 +41,15 @@ def chosen_scenario(given: argparse.Namespace) -> Scenario:
 
     :raises ConfigError: for an unknown scenario or setting.
     """
-    name = given.scenario
-    scenario = read_scenario(Path(name)) if is_file(name) else make_scenario(name)
-    return replace(scenario, chosen_settings(given)['scenario'], 'scenario')
+    name, settings = given.scenario, chosen_settings(given)['scenario']
+    scenario = read_scenario(Path(name)) if is_file(name) else make_scenario(name, settings)
+    return replace(scenario, settings, 'scenario')
 
 
 def is_file(scenario: str) -> bool:
     """Return whether a scenario was asked for by a file, and not by a name."""
-    return scenario.endswith(ENDINGS) or os.sep in scenario
+    named = RECORDED_NAME.fullmatch(scenario) is not None
+    return not named and (scenario.endswith(ENDINGS) or os.sep in scenario)
 
 
 def chosen_settings(given: argparse.Namespace) -> dict[str, dict[str, Any]]:

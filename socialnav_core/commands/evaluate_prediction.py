@@ -94,9 +94,10 @@ def run(given: argparse.Namespace) -> None:
 
 def measured(predictor: Any, crowds: Any, given: argparse.Namespace) -> list[Any]:
     """Return the results on crowds, without and with noise, and on recorded people."""
+    from socialnav_core.config.recordings import read_tracks
     from socialnav_core.evaluation.judgement import judge, summarise
     from socialnav_core.evaluation.prediction import evaluate_prediction
-    from socialnav_core.evaluation.recorded_people import read_tracks, track_moments
+    from socialnav_core.evaluation.recorded_people import track_moments
 
     tracks = {path.stem: read_tracks(path) for path in given.recorded}
     options = given.groups, given.seed, given.split

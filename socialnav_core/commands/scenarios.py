@@ -13,6 +13,7 @@ curriculum-1.5"""
 
 COLUMNS = ('name', 'people', 'obstacles', 'radius (m)', 'width (m)', 'limit (s)', 'meaning')
 EXAMPLE_RADIUS = '2.5'
+AS_RECORDED = ('recorded', '0', '-', 'scene', '25')
 
 
 def add_parser(commands: Any) -> None:
@@ -36,7 +37,9 @@ def run(given: argparse.Namespace) -> None:
     rows: list[tuple[str, ...]] = [COLUMNS]
     for name, meaning in SCENARIOS.items():
         example = name.replace('-R', f'-{EXAMPLE_RADIUS}')
-        rows.append((name, *parameters(make_scenario(example), example != name), meaning))
+        of_file = name.endswith(':FILE')  # which says how many people there are, and where
+        shown = AS_RECORDED if of_file else parameters(make_scenario(example), example != name)
+        rows.append((name, *shown, meaning))
     print(text_table(rows))
     print()
     print(text_table([('crowd', 'meaning'), *CROWDS.items()]))

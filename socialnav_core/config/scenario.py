@@ -5,7 +5,16 @@ import math
 from typing import Annotated
 
 from socialnav_core.config.mapping import require
-from socialnav_core.config.ranges import NAME, OneOf, Point, Range, require_allowed
+from socialnav_core.config.ranges import (
+    DIGEST,
+    NAME,
+    OneOf,
+    Pattern,
+    Point,
+    Range,
+    require_allowed,
+)
+from socialnav_core.config.recordings import INTERVAL
 
 KINEMATICS = ('holonomic', 'differential')
 CROWDS = {
@@ -13,11 +22,22 @@ CROWDS = {
     'non_reactive': 'people walk straight to their goals and react to nobody',
     'social_force': 'people push each other away, as in the social force model',
     'changing': 'as orca, but people change their goals, and new ones come for those who arrive',
+    'stop_and_go': 'as orca, but people stop all of a sudden for 0.5 to 4 s',
+    'distracted': 'as orca, but three in ten look at their phones and give way to nobody',
+    'headed_social_force': 'as social_force, but people walk where they look',
+    'groups': 'as social_force, but people walk in groups of two to four',
+    'recorded': 'recorded people do again what they did, and react to nobody',
+    'recorded_reactive': 'the same, but near the robot they avoid it, as orca',
 }
 """What moves the people, by the names of the files in simulation/crowds."""
 ROBOT_MATTERS = ('changing',)
 """Crowds in which nobody appears where the robot is."""
-LAYOUTS = ('square_crossing', 'circle_crossing', 'open_square')
+RECORDED = ('recorded', 'recorded_reactive')
+"""Crowds of recorded people; scenarios of theirs are called by the crowd, a colon and a file."""
+LAYOUTS = ('square_crossing', 'circle_crossing', 'open_square', 'recorded')
+SCENARIO_NAME = Pattern(
+    rf'({"|".join(RECORDED)}):[^\n]{{1,4000}}|{NAME.expression}', f'{NAME} or recorded:FILE'
+)
 FARTHEST = 1000.0
 """Largest coordinate of a start or goal that is chosen, m."""
 
@@ -67,10 +87,26 @@ class RewardConfig:
 
 
 @dataclasses.dataclass(frozen=True)
+class RecordingConfig:
+    """Recorded people, whom the crowds recorded and recorded_reactive are made of."""
+
+    file: Annotated[str, Pattern(r'[^\n]{0,4000}', 'the path of a file, or nothing')] = ''
+    """Text file, a line `frame person x y` for each person and frame, m; recorded crowds only."""
+    interval: Annotated[float, Range(0.001, 10)] = INTERVAL
+    """Time between two annotated frames, s."""
+    digest: Annotated[str, DIGEST] = ''
+    """SHA-256 of the file, so that another one is not taken for it; nothing: any."""
+
+    def __post_init__(self) -> None:
+        """Refuse values out of range."""
+        require_allowed(self)
+
+
+@dataclasses.dataclass(frozen=True)
 class Scenario:
     """A world: who is in it, how an episode starts and when it ends."""
 
-    name: Annotated[str, NAME]
+    name: Annotated[str, SCENARIO_NAME]
     """Name of the family member, such as hard or curriculum-1.5."""
     pedestrians: Annotated[int, Range(0, 1000)] = 5
     """Number of pedestrians."""
@@ -85,7 +121,8 @@ class Scenario:
     layout: Annotated[str, OneOf(LAYOUTS)] = 'square_crossing'
     """
     square_crossing: sides are swapped; circle_crossing: everybody crosses a circle; open_square:
-    the robot crosses a square without walls, people come from all around it.
+    the robot crosses a square without walls, people come from all around it; recorded: the robot
+    goes between places where recorded people walked.
     """
     spawn_half_width: Annotated[float, Range(0.1, 1000)] = 5.0
     """Half the side of the spawn square and radius of the circle of goals, m."""
@@ -135,6 +172,8 @@ class Scenario:
     """Episodes are truncated after this time, s."""
     orca: OrcaConfig = OrcaConfig()
     """How the pedestrians of the crowd orca move."""
+    recording: RecordingConfig = RecordingConfig()
+    """Who is in the world where the crowd is recorded."""
     reward: RewardConfig = RewardConfig()
     """What a step is worth."""
 
@@ -151,6 +190,26 @@ class Scenario:
             f'scenario {self.name}: minimum_travel must be less than maximum_travel',
         )
         self._require_places()
+        self._require_recording()
+
+    def _require_recording(self) -> None:
+        """Refuse recorded people without a file, and a file without recorded people."""
+        recorded = self.crowd in RECORDED
+        require(
+            recorded == (self.layout == 'recorded') == bool(self.recording.file),
+            f'scenario {self.name}: the crowds {" and ".join(RECORDED)} need the layout recorded '
+            'and recording.file, and nothing else does; name the scenario recorded:FILE',
+        )
+        require(
+            not (recorded and self.obstacles),
+            f'scenario {self.name}: obstacles must be 0 among recorded people, whose own are not '
+            'known',
+        )
+        require(
+            not recorded or self.robot_visible == (self.crowd == 'recorded_reactive'),
+            f'scenario {self.name}: recorded people do not see the robot, recorded_reactive ones '
+            'do; choose between recorded:FILE and recorded_reactive:FILE, not by robot_visible',
+        )
 
     def _require_places(self) -> None:
         """Refuse a chosen start or goal that the robot cannot be at."""

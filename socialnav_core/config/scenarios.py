@@ -17,6 +17,7 @@ from socialnav_core.config.mapping import (
     to_mapping,
 )
 from socialnav_core.config.ranges import shown
+from socialnav_core.config.recorded import recorded_interval, RECORDED_NAME, recorded_scenario
 from socialnav_core.config.scenario import OrcaConfig, RewardConfig, Scenario
 
 CURRICULUM_RADIUS = (0.3, 2.5)
@@ -77,19 +78,27 @@ SCENARIOS = {
     'curriculum-R': '5 pedestrians and 10 obstacles up to radius R (0.3 to 2.5 m), 20 m world',
     'packed-R': 'the same as curriculum-R in a 15 m world',
     'circle': '5 pedestrians cross a circle of radius 4 m, no obstacles, no walls',
+    'recorded:FILE': 'recorded people of a file of lines `frame person x y`, who react to nobody',
+    'recorded_reactive:FILE': 'the same people, who avoid the robot where it is near',
 }
-"""Names of the scenarios and what they are; R stands for a number."""
+"""Names of the scenarios and what they are; R stands for a number, FILE for a path."""
 
 
-def make_scenario(name: str) -> Scenario:
+def make_scenario(name: str, settings: Mapping[str, Any] | None = None) -> Scenario:
     """
     Return the scenario of a name.
 
     :param name: a key of SCENARIOS, with a number for R, such as curriculum-1.5.
+    :param settings: by dotted name, that will be changed; how many recorded people there are at
+        a time depends on recording.interval. They are not changed here.
     :raises ConfigError: when there is none.
     """
     if name in _FIXED:
         return _FIXED[name]
+    recorded = RECORDED_NAME.fullmatch(name)
+    if recorded:
+        crowd, file = recorded.groups()
+        return recorded_scenario(name, crowd, file, recorded_interval(settings or {}))
     family, _, text = name.partition('-')
     if family in ('curriculum', 'packed') and re.fullmatch(r'[0-9]{1,9}(\.[0-9]{1,9})?', text):
         return growing_scenario(family, float(text))
@@ -130,7 +139,7 @@ def resolve_scenario(value: str | Mapping[str, Any]) -> Scenario:
         raise ConfigError('scenario must be a name or a mapping with a name', 'scenario')
     settings = flatten({key: setting for key, setting in value.items() if key != 'name'})
     try:
-        known = make_scenario(value['name'])
+        known = make_scenario(value['name'], settings)
     except ConfigError as error:
         require_complete(settings, error)
         return from_mapping(Scenario, value, 'scenario')

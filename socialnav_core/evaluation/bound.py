@@ -59,7 +59,7 @@ def find_path(
     config = config or BoundConfig()
     agents, robot = futures.start.agents, futures.start.robot
     gaps = np.where(agents.static[case], 0.0, gap) + robot.radius[case] + TOUCH
-    keep = np.where(agents.valid[case], agents.radius[case] + gaps, -1.0)
+    keep = agents.radius[case] + gaps
     trip = trip_of(futures, case, config)
     moves = trip.stride * moves_of(config)
     path = np.empty((futures.position.shape[1] + 1, 2))

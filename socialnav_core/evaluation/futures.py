@@ -10,6 +10,9 @@ from socialnav_core.simulation.crowds.protocol import make_crowd
 from socialnav_core.simulation.motion import TIME_TOLERANCE
 from socialnav_core.states import CrowdState
 
+FAR = 1e6
+"""Where nobody minds those who are not there, m."""
+
 
 @dataclasses.dataclass(frozen=True)
 class Futures:
@@ -20,7 +23,7 @@ class Futures:
     start: CrowdState
     """How they begin."""
     position: np.ndarray
-    """Of the agents before each step, m, (cases, steps, agents, 2)."""
+    """Of the agents before each step, m, (cases, steps, agents, 2); of who is not there, FAR."""
     velocity: np.ndarray
     """Of the agents in each step, m/s, (cases, steps, agents, 2)."""
 
@@ -45,7 +48,7 @@ def record_futures(scenario: Scenario, cases: np.ndarray, seed: int, split: str)
     require(
         not scenario.robot_matters,
         f'scenario {scenario.name}: what people will do depends on the robot, so that there is no '
-        'bound; set scenario.robot_visible=false and scenario.crowd=orca',
+        'bound; set scenario.robot_visible=false and scenario.crowd=orca, or take recorded:FILE',
     )
     worlds, steps = np.arange(len(cases)), steps_until_limit(scenario)
     episodes, crowd = Episodes(scenario, len(cases)), make_crowd(scenario, len(cases))
@@ -53,11 +56,13 @@ def record_futures(scenario: Scenario, cases: np.ndarray, seed: int, split: str)
     episodes.start(worlds)
     crowd.reset(episodes, worlds)
     start, agents = episodes.state.copy(), episodes.state.agents
+    episodes.state.robot.position[:] = FAR  # so that everybody appears, on its start too
     position = np.empty((len(cases), steps, *agents.position.shape[1:]))
     velocity, decided = np.empty_like(position), np.zeros_like(agents.velocity)
     for step in range(steps):
         crowd.decide(episodes, np.ones(len(cases), bool), decided)
-        position[:, step], velocity[:, step] = agents.position, decided
+        position[:, step] = np.where(agents.valid[..., None], agents.position, FAR)
+        velocity[:, step] = decided
         agents.velocity[:] = decided
         agents.position += decided * scenario.time_step
         episodes.state.time += scenario.time_step

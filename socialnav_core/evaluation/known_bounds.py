@@ -1,6 +1,7 @@
 """Bounds of cases, each computed once and kept with the compiled kernels of the same sources."""
 
 import dataclasses
+import functools
 import hashlib
 import json
 from pathlib import Path
@@ -13,6 +14,7 @@ from socialnav_core.config.mapping import to_mapping
 from socialnav_core.evaluation.bound import Bounds, bounds_of
 from socialnav_core.evaluation.futures import record_futures
 from socialnav_core.evaluation.run import EvaluationResult
+from socialnav_core.places import PACKAGE
 from socialnav_core.progress import progress_bar
 from socialnav_core.storage import written_whole
 
@@ -70,9 +72,18 @@ def with_bounds(
 
 def bounds_file(scenario: Scenario, seed: int, split: str, config: BoundConfig) -> Path:
     """Return where the bounds of the cases of a world are kept."""
-    asked = [to_mapping(scenario), seed, split, to_mapping(config)]
+    asked = [to_mapping(scenario), seed, split, to_mapping(config), simulation_digest()]
     name = hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()[:24]
     return cache_folder() / 'bounds' / f'{name}.npz'
+
+
+@functools.cache
+def simulation_digest() -> str:
+    """Return the digest of the sources that say what a case is; not all of them hold kernels."""
+    digest = hashlib.sha256()
+    for path in sorted((PACKAGE / 'simulation').rglob('*.py')):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
 
 
 def read_bounds(path: Path) -> dict[int, tuple[float, ...]]:

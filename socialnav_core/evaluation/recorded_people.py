@@ -1,42 +1,15 @@
-"""
-Recorded pedestrians as predictions are judged on them.
-
-Files hold a line a person and frame, `frame person x y ...` in metres, as the recordings of ETH
-and UCY (Pellegrini et al. 2009, Lerner et al. 2007) are passed on; what follows is left aside.
-"""
+"""Recorded pedestrians as predictions are judged on them; config/recordings.py reads them."""
 
 from collections.abc import Iterator
-from pathlib import Path
 
 import numpy as np
 
-from socialnav_core.config import ConfigError
+from socialnav_core.config.recordings import INTERVAL as TIME_STEP
 from socialnav_core.evaluation.judgement import Moment, TIMES
 from socialnav_core.states import Agents, CrowdState, Robot
 from socialnav_core.training.prediction.recording import FAR
 
-TIME_STEP = 0.4  # s between two frames
 RADIUS = 0.3  # m
-
-
-def read_tracks(path: Path) -> np.ndarray:
-    """
-    Return where each person was in each frame, m, NaN where they were not, (frames, people, 2).
-
-    :raises ConfigError: when the file does not hold at least four numbers a line.
-    """
-    try:
-        rows = np.loadtxt(path, usecols=(0, 1, 2, 3), ndmin=2)
-    except (OSError, ValueError) as error:
-        raise ConfigError(f'{path} holds no recorded people: {error}') from error
-    numbers = rows[:, 0]
-    # frames are numbered as in the video, with gaps where nobody was seen; a few are off by one
-    spacing = np.median(np.diff(np.unique(numbers))) if np.ptp(numbers) else 1.0
-    frames = np.rint((numbers - numbers.min()) / spacing).astype(int)
-    names, people = np.unique(rows[:, 1], return_inverse=True)
-    tracks = np.full((frames.max() + 1, len(names), 2), np.nan)
-    tracks[frames, people] = rows[:, 2:]
-    return tracks
 
 
 def track_moments(tracks: np.ndarray) -> Iterator[Moment]:

@@ -11,6 +11,7 @@ from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.simulation.layout import layout_settings, packing_message, PackingError
 from socialnav_core.simulation.motion import Moving, Records
 from socialnav_core.simulation.random_streams import GOALS, LAYOUT, stream
+from socialnav_core.simulation.recorded import robot_places
 from socialnav_core.simulation.starts import lay_out, Starts
 from socialnav_core.states import Agents, CrowdState, Robot
 
@@ -115,17 +116,11 @@ class Episodes:
 
     def _lay_out(self, worlds: np.ndarray, cases: np.ndarray) -> None:
         """Draw the layouts of cases."""
-        split, seed, state = self.queue.split, self.queue.seed, self.state
-        starts = Starts(
-            state.robot.position, state.robot.goal, state.agents.position, state.agents.radius,
-            self.preferred_speed, self.goal, self.goal_streams,
-        )  # fmt: skip
-        failed = lay_out(
-            worlds, cases, stream(split, seed, 0, LAYOUT), stream(split, seed, 0, GOALS),
-            layout_settings(self.scenario), starts,
-        )  # fmt: skip
-        if failed >= 0:
-            raise PackingError(f'{packing_message(self.scenario)} (case {cases[failed]})')
+        state = self.state
+        if self.scenario.layout == 'recorded':
+            self._place_robots(worlds, cases)
+        else:
+            self._draw(worlds, cases)
         for array in (
             state.robot.velocity,
             state.robot.heading,
@@ -137,6 +132,29 @@ class Episodes:
         if kinematics_of(self.scenario.kinematics).has_heading:  # elsewhere it is arbitrary
             ahead = state.robot.goal[worlds] - state.robot.position[worlds]
             state.robot.heading[worlds] = np.arctan2(ahead[:, 1], ahead[:, 0])
+
+    def _place_robots(self, worlds: np.ndarray, cases: np.ndarray) -> None:
+        """Draw starts and goals among recorded people, whom the crowd puts into their places."""
+        split, seed, robot = self.queue.split, self.queue.seed, self.state.robot
+        for world, case in zip(worlds.tolist(), cases.tolist(), strict=True):
+            places = robot_places(self.scenario, split, seed, case)
+            robot.position[world], robot.goal[world] = places
+        self.state.agents.radius[worlds] = self.scenario.pedestrian_radius
+        self.preferred_speed[worlds] = self.scenario.pedestrian_speed
+
+    def _draw(self, worlds: np.ndarray, cases: np.ndarray) -> None:
+        """Draw where everybody is and wants to go."""
+        split, seed, state = self.queue.split, self.queue.seed, self.state
+        starts = Starts(
+            state.robot.position, state.robot.goal, state.agents.position, state.agents.radius,
+            self.preferred_speed, self.goal, self.goal_streams,
+        )  # fmt: skip
+        failed = lay_out(
+            worlds, cases, stream(split, seed, 0, LAYOUT), stream(split, seed, 0, GOALS),
+            layout_settings(self.scenario), starts,
+        )  # fmt: skip
+        if failed >= 0:
+            raise PackingError(f'{packing_message(self.scenario)} (case {cases[failed]})')
 
 
 def empty_state(scenario: Scenario, batch_size: int) -> CrowdState:

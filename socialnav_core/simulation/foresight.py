@@ -14,6 +14,7 @@ def foresee(episodes: Episodes, crowd: Crowd, steps: int) -> np.ndarray:
     """
     agents, active = episodes.state.agents, episodes.active
     kept, position, velocity = crowd.get_state(), agents.position.copy(), agents.velocity.copy()
+    time, streams = episodes.state.time.copy(), episodes.goal_streams.copy()
     out = np.empty((len(position), steps, *position.shape[1:]))
     decided = np.zeros_like(velocity)
     for step in range(steps):
@@ -21,6 +22,8 @@ def foresee(episodes: Episodes, crowd: Crowd, steps: int) -> np.ndarray:
         agents.velocity[:] = decided
         agents.position += decided * episodes.scenario.time_step
         out[:, step] = agents.position
+        episodes.state.time += episodes.scenario.time_step
     crowd.set_state(kept)
     agents.position[:], agents.velocity[:] = position, velocity
+    episodes.state.time[:], episodes.goal_streams[:] = time, streams
     return out

@@ -176,7 +176,7 @@ class Stage:
         """Draw the moving parts as they are at a moment, s."""
         state = state_at(self.recording, time)
         ended = time >= self.recording.times[-1]
-        self.discs.set_offsets(state.agents.position[0][self.people])
+        self.discs.set_offsets(self._places(state))
         self._place_robot(state)
         self._draw_trails(time)
         self._draw_arrows(state)
@@ -185,6 +185,11 @@ class Stage:
         for artist in self.moving:
             if artist is not self.ring or ended:
                 self.axes.draw_artist(artist)
+
+    def _places(self, state: CrowdState) -> np.ndarray:
+        """Return where the people are, m, NaN where one is not there, (people, 2)."""
+        agents = state.agents
+        return np.where(agents.valid[0, :, None], agents.position[0], np.nan)[self.people]
 
     def _place_robot(self, state: CrowdState) -> None:
         """Move the robot and its circle of discomfort, red where somebody is inside."""
@@ -198,7 +203,7 @@ class Stage:
         recording = self.recording
         moments = np.linspace(max(time - TRAIL, recording.times[0]), time, _TRAIL_PIECES + 1)
         states = [state_at(recording, moment) for moment in moments]
-        points = np.array([state.agents.position[0][self.people] for state in states])
+        points = np.array([self._places(state) for state in states])
         segments = np.stack([points[:-1], points[1:]], axis=2)  # (pieces, people, 2, 2)
         colours = np.ones((*segments.shape[:2], 4))
         colours[..., :3] = self.colours
@@ -210,9 +215,10 @@ class Stage:
 
     def _draw_arrows(self, state: CrowdState) -> None:
         """Draw the velocities as arrows from the centres, one metre for one metre per second."""
-        tails = np.concatenate([state.agents.position[0][self.people], state.robot.position])
+        tails = np.concatenate([np.nan_to_num(self._places(state)), state.robot.position])
         moves = np.concatenate([state.agents.velocity[0][self.people], state.robot.velocity])
         standing = np.linalg.norm(moves, axis=-1) < _STANDING
+        standing[:-1] |= ~state.agents.valid[0][self.people]
         self.arrows.set_offsets(tails)
         self.arrows.set_UVC(*np.ma.masked_array(moves.T, np.tile(standing, (2, 1))))
 

@@ -57,12 +57,13 @@ def draw_trajectories(axes: Axes, recording: Recording) -> None:
     crowded = len(people) > CROWD
     for person, agent in enumerate(people):
         path, colour = recording.agent_paths[:, agent], scene.PEOPLE[person % len(scene.PEOPLE)]
-        _draw_discs(axes, path[marks], start.agents.radius[0, agent], colour, 0.04, 0.6)
+        there = marks[np.isfinite(path[marks, 0])]
+        _draw_discs(axes, path[there], start.agents.radius[0, agent], colour, 0.04, 0.6)
         axes.add_collection(
             fading_path(path, colour, 1.4, 0.05, 0.4 if crowded else 0.75), autolim=False
         )
         if not crowded:
-            _label(axes, path[marks], recording.times[marks], 6.5, colour)
+            _label(axes, path[there], recording.times[there], 6.5, colour)
     path = recording.robot_path
     axes.add_collection(fading_path(path, scene.ROBOT, 2.6, 0.55, 1.0), autolim=False)
     _draw_discs(axes, path[marks], start.robot.radius[0], scene.ROBOT, 0.3, 1.0)

@@ -68,8 +68,16 @@ class Recording:
 
     @property
     def agent_paths(self) -> np.ndarray:
-        """Return the agents' positions, m, (states, agents, 2)."""
-        return np.array([state.agents.position[0] for state in self.states])
+        """Return the agents' positions, m, NaN where one is not there, (states, agents, 2)."""
+        return np.array([
+            np.where(state.agents.valid[0, :, None], state.agents.position[0], np.nan)
+            for state in self.states
+        ])  # fmt: skip
+
+    @property
+    def ever_there(self) -> np.ndarray:
+        """Return which agents are there in any state, bool, (agents,)."""
+        return np.any([state.agents.valid[0] for state in self.states], axis=0)
 
     @property
     def minimum_clearance(self) -> float:
@@ -114,7 +122,10 @@ def state_at(recording: Recording, time: float) -> CrowdState:
     moved = later.with_robot(
         position=_blend(earlier.robot.position, later.robot.position, share),
         heading=earlier.robot.heading + share * turn,
-    ).with_agents(position=_blend(earlier.agents.position, later.agents.position, share))
+    ).with_agents(
+        position=_blend(earlier.agents.position, later.agents.position, share),
+        valid=earlier.agents.valid,  # who is in the later state alone comes with it
+    )
     return dataclasses.replace(moved, time=np.array([time]))
 
 

@@ -70,15 +70,14 @@ def view_half_width(recording: Recording) -> float:
     bounds = float(start.bounds[0])
     if np.isfinite(bounds):
         return 1.03 * bounds
-    people = recording.agent_paths[:, start.agents.valid[0]].reshape(-1, 2)
+    people = recording.agent_paths[:, recording.ever_there].reshape(-1, 2)
     everywhere = np.concatenate([recording.robot_path, people, start.robot.goal])
-    return float(np.abs(everywhere).max()) + 1.0
+    return float(np.nanmax(np.abs(everywhere))) + 1.0
 
 
 def walkers(recording: Recording) -> np.ndarray:
-    """Return which agents are pedestrians, bool, (agents,)."""
-    start = recording.states[0]
-    return start.agents.valid[0] & ~start.agents.static[0]
+    """Return which agents are pedestrians, those who come later too, bool, (agents,)."""
+    return recording.ever_there & ~recording.states[0].agents.static[0]
 
 
 def crash_ring(recording: Recording) -> Circle:

@@ -1,6 +1,7 @@
 """Laws of the named scenarios."""
 
 import dataclasses
+from pathlib import Path
 
 import pytest
 
@@ -16,11 +17,13 @@ from socialnav_core.config.scenarios import (
     with_obstacle_radius,
 )
 
+RECORDED_PEOPLE = Path(__file__).parents[1] / 'data' / 'recorded_people.txt'
+
 
 def test_every_listed_scenario_exists():
-    for name in SCENARIOS:
-        scenario = make_scenario(name.replace('-R', '-1.5'))
-        assert scenario.name == name.replace('-R', '-1.5')
+    for listed in SCENARIOS:
+        name = listed.replace('-R', '-1.5').replace(':FILE', f':{RECORDED_PEOPLE}')
+        assert make_scenario(name).name == name
 
 
 def test_an_unknown_scenario_names_the_nearest():

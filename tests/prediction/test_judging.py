@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from socialnav_core.config import ConfigError
+from socialnav_core.config.recordings import read_tracks
 from socialnav_core.evaluation.judgement import judge, LEVELS, MOTIONS, summarise, TIMES
 from socialnav_core.evaluation.prediction import evaluate_prediction
-from socialnav_core.evaluation.recorded_people import read_tracks, track_moments
+from socialnav_core.evaluation.recorded_people import track_moments
 from socialnav_core.prediction.protocol import Prediction
 
 
@@ -60,8 +61,8 @@ def measured(tracks, deviation=1.0):
 @pytest.fixture
 def tracks(tmp_path):
     """Return the tracks of two people, of whom the second comes later and walks on straight."""
-    lines = [f'{10 * frame} 1 {0.1 * frame**2} 0 0 0' for frame in range(16)]
-    lines += [f'{10 * frame} 7 {frame} {2 * frame} 9 9' for frame in range(3, 16)]
+    lines = [f'{10 * frame} 1 {0.04 * frame**2} 0 0 0' for frame in range(16)]
+    lines += [f'{10 * frame} 7 {0.3 * frame} {0.6 * frame} 9 9' for frame in range(3, 16)]
     path = tmp_path / 'people.txt'
     path.write_text('\n'.join(lines))
     return read_tracks(path)
@@ -91,7 +92,7 @@ def test_tracks_that_are_too_short_are_an_error(tracks):
 
 def test_a_file_of_anything_else_is_refused(tmp_path):
     (tmp_path / 'text').write_text('no people here')
-    with pytest.raises(ConfigError, match='no recorded people'):
+    with pytest.raises(ConfigError, match='line 1 needs four numbers'):
         read_tracks(tmp_path / 'text')
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from socialnav_core.config import ConfigError, CROWDS
+from socialnav_core.config.scenario import RECORDED
 from socialnav_core.simulation import crowds, make_scenario, Simulator
 
 WORLDS, STEPS = 8, 12
@@ -96,7 +97,7 @@ def test_a_crowd_that_there_is_not_is_refused_by_name():
 
 
 def test_every_crowd_of_the_table_moves_people_and_no_obstacle():
-    for crowd in CROWDS:
+    for crowd in CROWDS.keys() - RECORDED:
         first, *_, last = still(Simulator(world_of(crowd), WORLDS))
         moved = np.linalg.norm(last.agents.position - first.agents.position, axis=-1)
         assert moved[:, :5].mean() > 0.5 and not moved[:, 5:].any()
