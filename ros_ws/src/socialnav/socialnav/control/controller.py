@@ -218,10 +218,9 @@ class Controller:
 
     def _doubt(self) -> str | None:
         """Compare inputs with what they said before; return why the robot must stand, or None."""
-        moment = self._steady()
-        self.doubts.look_at_people(self._inputs.lists('pedestrians'), moment)
+        self.doubts.look_at_people(self._inputs.lists('pedestrians'), self._steady())
         odometry, goal = map(self._inputs.newest, ('odom', 'goal_pose'))
-        return self.doubts.reason(odometry, goal, moment, self.settings)
+        return self.doubts.reason(odometry, goal, self.settings)
 
     def _known_state(self, now: int) -> CrowdState:
         """Return the world at the inputs' own times, the nearest agents; begin a run if new."""

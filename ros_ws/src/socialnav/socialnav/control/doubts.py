@@ -1,12 +1,13 @@
 """What cannot be true of inputs that look well one by one."""
 
 from collections.abc import Sequence
+import math
 
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Odometry
 
 from socialnav.control.leaps import Leaps
-from socialnav.control.odometry_check import Jumps, MotionCheck, Moved, moved
+from socialnav.control.odometry_check import JUMP, Jumps, MotionCheck, Moved, moved
 from socialnav.control.reasons import GIVEN_UP
 from socialnav.control.runs import what_is_new
 from socialnav.messages.stamps import nanoseconds_of
@@ -29,16 +30,15 @@ class Doubts:
         self._aimed = -FORGIVEN
 
     def reason(
-        self, odometry: Odometry, goal: PoseStamped, moment: float, settings: PolicyParameters
+        self, odometry: Odometry, goal: PoseStamped, settings: PolicyParameters
     ) -> str | None:
         """
         Look at the newest odometry; return why the robot must stand, or None.
 
         After a jump it is not where its goal was told for, so that another goal, or the same one
         with another stamp, is waited for.
-
-        :param moment: on a clock that always runs, s.
         """
+        moment = nanoseconds_of(odometry.header.stamp) * 1e-9
         if goal is not self._goal:
             self._aim(goal, moment)
         step = moved(self._latest, odometry, settings.base_frame)
@@ -48,19 +48,27 @@ class Doubts:
         return self._jump
 
     def _aim(self, goal: PoseStamped, moment: float) -> None:
-        """Take a goal that may be another one."""
+        """
+        Take a goal that may be another one.
+
+        :param moment: of the newest odometry, s.
+        """
         before, self._goal = self._goal, goal
-        if before is None or goal.pose.position != before.pose.position:
+        if before is None or apart(before, goal) > JUMP:
             self._aimed = moment
         typed = not nanoseconds_of(goal.header.stamp)
         if before is None or typed or what_is_new(goal) != what_is_new(before):
             self._jump = None
 
     def _take(self, step: Moved | None, moment: float, settings: PolicyParameters) -> None:
-        """Judge a step of odometry; None where there is none to compare with."""
+        """
+        Judge a step of odometry; None where there is none to compare with.
+
+        :param moment: of the newest odometry, s.
+        """
         jump = None if step is None else self._jumps.found(step, settings.max_speed)
         self._motion.take(None if jump else step)
-        if jump is not None and moment - self._aimed > FORGIVEN:
+        if jump is not None and not 0 <= moment - self._aimed <= FORGIVEN:
             self._jump = f'{jump}; {GIVEN_UP}'
 
     def look_at_people(self, lists: Sequence[AgentStates], moment: float) -> None:
@@ -78,3 +86,11 @@ class Doubts:
         :param moment: on a clock that always runs, s.
         """
         return [one for one in (self._motion.complaint, self._leaps.complaint(moment)) if one]
+
+
+def apart(one: PoseStamped, other: PoseStamped) -> float:
+    """Return how far apart two goals are, m; infinity where their frames differ."""
+    if one.header.frame_id != other.header.frame_id:
+        return math.inf
+    here, there = one.pose.position, other.pose.position
+    return math.hypot(here.x - there.x, here.y - there.y)
