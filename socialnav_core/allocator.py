@@ -1,10 +1,12 @@
-"""glibc's memory allocator, told to keep what is freed."""
+"""glibc's memory allocator, told to keep what is freed, or to give back what is large."""
 
 import ctypes
 import functools
 import sys
 
 M_TRIM_THRESHOLD, M_TOP_PAD, M_MMAP_THRESHOLD = -1, -2, -3
+LARGE = 2**20
+"""Blocks of so many bytes are given back one by one."""
 
 
 @functools.cache
@@ -15,10 +17,25 @@ def keep_freed_memory() -> None:
     By default glibc hands blocks of some hundred kilobytes back to the system at once and gets
     them again, zeroed page by page, for the next layer. Elsewhere than on glibc nothing happens.
     """
+    set_options({M_MMAP_THRESHOLD: 2**30, M_TRIM_THRESHOLD: 2**31 - 1, M_TOP_PAD: 2**26})
+
+
+def give_back_large_blocks() -> None:
+    """
+    Let freed blocks of a megabyte and more go back to the system, whatever lies beside them.
+
+    By default glibc takes blocks of up to 32 megabytes from its heap once one of that size has
+    been freed. A heap shrinks from its end only: what is small and lies there keeps all that is
+    below. Elsewhere than on glibc nothing happens.
+    """
+    set_options({M_MMAP_THRESHOLD: LARGE})
+
+
+def set_options(values: dict[int, int]) -> None:
+    """Set options of glibc's allocator; do nothing elsewhere."""
     if not sys.platform.startswith('linux'):
         return
     mallopt = getattr(ctypes.CDLL(None), 'mallopt', None)
     if mallopt is not None:
-        mallopt(M_MMAP_THRESHOLD, 2**30)
-        mallopt(M_TRIM_THRESHOLD, 2**31 - 1)
-        mallopt(M_TOP_PAD, 2**26)
+        for option, value in values.items():
+            mallopt(option, value)

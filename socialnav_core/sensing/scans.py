@@ -1,9 +1,14 @@
 """What the beams of a laser scan say: where they ended, how far they were free."""
 
 import dataclasses
+from typing import Annotated
 
 import numpy as np
 
+from socialnav_core.config.ranges import OneOf, Range, require_allowed
+
+MEANING = OneOf(('free', 'failed', 'near'))
+"""What a range that is no distance may mean."""
 MOST_BEAMS = 20000
 """More beams than any scanner of a robot has."""
 WHOLE_TURN = 2 * np.pi + 0.1
@@ -19,16 +24,20 @@ class Readings:
     something at the shortest range.
     """
 
-    inf: str = 'free'
+    inf: Annotated[str, MEANING] = 'free'
     """inf."""
-    nan: str = 'failed'
+    nan: Annotated[str, MEANING] = 'failed'
     """NaN."""
-    zero: str = 'failed'
+    zero: Annotated[str, MEANING] = 'failed'
     """0."""
-    beyond: str = 'failed'
+    beyond: Annotated[str, MEANING] = 'failed'
     """The longest range, and finite ones above it."""
-    least_valid: float = 0.1
+    least_valid: Annotated[float, Range(0, 1)] = 0.1
     """Share of the beams that must have measured something or nothing."""
+
+    def __post_init__(self) -> None:
+        """Refuse values out of range."""
+        require_allowed(self)
 
 
 @dataclasses.dataclass(frozen=True)

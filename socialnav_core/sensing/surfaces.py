@@ -1,9 +1,11 @@
 """From points on surfaces to the few discs that matter to a robot."""
 
 import dataclasses
+from typing import Annotated
 
 import numpy as np
 
+from socialnav_core.config.ranges import Range, require_allowed
 from socialnav_core.sensing.circles import circles_of, crossed
 from socialnav_core.sensing.scans import Rays
 
@@ -17,24 +19,28 @@ RIM_TOLERANCES = 2
 class SurfaceSettings:
     """How discs are made of points."""
 
-    sectors: int = 18
+    sectors: Annotated[int, Range(1, 3600)] = 18
     """Number of equal sectors around the robot, at most one disc in each."""
-    disc_radius: float = 0.3
+    disc_radius: Annotated[float, Range(0.001, 10)] = 0.3
     """Radius of these discs, m."""
-    max_range: float = 6.0
+    max_range: Annotated[float, Range(0.01, 1000)] = 6.0
     """Points farther away than this are dropped, m."""
-    smallest_circle: float = 0.05
+    smallest_circle: Annotated[float, Range(0.001, 100)] = 0.05
     """Surfaces on a circle of at least this radius become one disc, m."""
-    largest_circle: float = 2.0
+    largest_circle: Annotated[float, Range(0, 100)] = 2.0
     """Surfaces on a circle up to this radius become one disc, m; 0: none do."""
-    circle_tolerance: float = 0.04
+    circle_tolerance: Annotated[float, Range(0, 1)] = 0.04
     """Root mean square distance of the points from such a circle, m."""
-    bounds: float = np.inf
+    bounds: Annotated[float, Range(0.01, 1e6, or_infinite=True)] = np.inf
     """Half-width of the square around the world's origin; points outside are dropped, m."""
-    people_margin: float = 0.2
+    people_margin: Annotated[float, Range(0, 10)] = 0.2
     """Points no farther from a known person's rim than this belong to that person, m."""
-    footprint: float = 0.0
+    footprint: Annotated[float, Range(0, 10)] = 0.0
     """Points nearer to the robot's centre than this are the robot itself, m."""
+
+    def __post_init__(self) -> None:
+        """Refuse values out of range."""
+        require_allowed(self)
 
 
 def grid_returns(levels: np.ndarray, resolution: float, threshold: int) -> np.ndarray:

@@ -1,9 +1,12 @@
 """From positions without names to tracks: assignment within gates, a Kalman filter for each."""
 
 import dataclasses
+from typing import Annotated
 
 import numpy as np
 from scipy.optimize import linear_sum_assignment
+
+from socialnav_core.config.ranges import Range, require_allowed
 
 FORBIDDEN = 1e6
 """Cost of an assignment beyond the gate: any number of others is cheaper."""
@@ -17,18 +20,22 @@ ROUNDING = 1e-6
 class TrackerSettings:
     """Constant velocity with white noise of acceleration (Bar-Shalom et al. 2001, 6.2.2)."""
 
-    acceleration_noise: float = 0.5
+    acceleration_noise: Annotated[float, Range(0.001, 100)] = 0.5
     """Power spectral density of the acceleration, m^2/s^3."""
-    detection_noise: float = 0.05
+    detection_noise: Annotated[float, Range(0.001, 2)] = 0.05
     """Standard deviation of a detection along each axis, m."""
-    start_speed: float = 1.0
+    start_speed: Annotated[float, Range(0.01, 10)] = 1.0
     """Standard deviation of the velocity of a new track along each axis, m/s."""
-    gate: float = 4.0
+    gate: Annotated[float, Range(0.1, 100)] = 4.0
     """Detections farther than so many standard deviations are not a track's."""
-    coast_time: float = 0.5
+    coast_time: Annotated[float, Range(0, 3600)] = 0.5
     """Time without a detection after which a track dies, s."""
-    confirmation_time: float = 0.04
+    confirmation_time: Annotated[float, Range(0, 10)] = 0.04
     """Time between first and newest detection that confirms a track, s; 0: one is enough."""
+
+    def __post_init__(self) -> None:
+        """Refuse values out of range."""
+        require_allowed(self)
 
 
 @dataclasses.dataclass(frozen=True)

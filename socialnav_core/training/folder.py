@@ -10,7 +10,7 @@ from socialnav_core.policies.value.checkpoint import CONFIG, WEIGHTS
 from socialnav_core.prediction.learned.checkpoint import WEIGHTS as PREDICTION
 from socialnav_core.training.lock import locked
 from socialnav_core.training.model_card import CARD_NAME, METRICS_NAME
-from socialnav_core.training.progress import CSV_NAME
+from socialnav_core.training.progress import CSV_NAME, EVENTS
 from socialnav_core.training.resume import FINISHED_NAME, STATE_NAME
 
 RUN_FILES = (
@@ -18,7 +18,6 @@ RUN_FILES = (
     METRICS_NAME, CARD_NAME,
 )  # fmt: skip
 MARKS = (STATE_NAME, CSV_NAME, WEIGHTS, PREDICTION, PLANNER)
-EVENTS = 'events.out.tfevents.*'
 UNFOLDED = 'unfolded'
 """Checkpoint with the weights as they were trained, inside the folder of the run."""
 

@@ -12,6 +12,8 @@ from socialnav_core.progress import progress_bar
 from socialnav_core.storage import named_errors
 
 CSV_NAME = 'progress.csv'
+EVENTS = 'events.out.tfevents.*'
+"""Files of TensorBoard."""
 COLUMNS = (
     'iteration', 'decisions', 'episodes', 'success_rate', 'collision_rate', 'mean_time', 'loss',
     'learning_rate', 'epsilon', 'obstacle_radius', 'decisions_per_second', 'seconds',
@@ -35,7 +37,9 @@ class Progress:
         self._position = position
         self._file = open_csv(folder / CSV_NAME, first, COLUMNS)
         self._rows = csv.DictWriter(self._file, COLUMNS)
-        self._board = open_board(folder, first, visible)
+        self._events = folder / EVENTS
+        with named_errors(self._events):
+            self._board = open_board(folder, first, visible)
         self._bar = progress_bar(config.length, 'value learning', self._unit, position, visible)
 
     def __enter__(self) -> 'Progress':
@@ -45,8 +49,9 @@ class Progress:
     def __exit__(self, *error: object) -> None:
         """Close the reports."""
         self._bar.close()
-        if self._board is not None:
-            self._board.close()
+        with named_errors(self._events):
+            if self._board is not None:
+                self._board.close()
         self._file.close()
 
     def report(self, row: dict[str, float]) -> None:
@@ -59,8 +64,9 @@ class Progress:
             self._rows.writerow({name: f'{value:.6g}' for name, value in row.items()})
             self._file.flush()
         if self._board is not None:
-            for name in COLUMNS[1:]:
-                self._board.add_scalar(name, row[name], int(row['iteration']))
+            with named_errors(self._events):  # of an earlier row: it writes in a thread
+                for name in COLUMNS[1:]:
+                    self._board.add_scalar(name, row[name], int(row['iteration']))
         self._bar.set_postfix_str(
             f'{row["decisions_per_second"]:.0f} decisions/s, success {row["success_rate"]:.3f}'
         )

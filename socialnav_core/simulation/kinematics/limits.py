@@ -2,29 +2,36 @@
 
 import dataclasses
 import math
+from typing import Annotated
 
 import numpy as np
 
 from socialnav_core.config import Scenario
+from socialnav_core.config.ranges import Range, require_allowed
 
 ROUNDING = 1 + 1e-9
 """Factor of a limit within which a number still counts as inside."""
+ANY = Range(0, math.inf)
 
 
 @dataclasses.dataclass(frozen=True)
 class Limits:
     """Limits of a robot's motion."""
 
-    speed: float
+    speed: Annotated[float, ANY]
     """Largest speed, m/s."""
-    acceleration: float
+    acceleration: Annotated[float, ANY]
     """Largest change of velocity, of a differential drive: of speed, m/s^2."""
-    turn_rate: float
+    turn_rate: Annotated[float, ANY]
     """Largest turn rate of a differential drive, rad/s."""
-    period: float
+    period: Annotated[float, Range(1e-6, 1000)]
     """Time between two commands, s."""
-    angular_acceleration: float = math.inf
+    angular_acceleration: Annotated[float, ANY] = math.inf
     """Largest change of the turn rate of a differential drive, rad/s^2."""
+
+    def __post_init__(self) -> None:
+        """Refuse values out of range."""
+        require_allowed(self)
 
 
 def limits_of(scenario: Scenario) -> Limits | None:

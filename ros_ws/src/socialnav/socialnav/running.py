@@ -13,6 +13,7 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
 from socialnav.programs import STOPPING, take_signals
+from socialnav_core.allocator import give_back_large_blocks
 
 WAKE_UP = 0.05
 """How often a waiting node looks whether it should stop, s."""
@@ -29,6 +30,7 @@ def run(build: Callable[[], Node]) -> int:
     """
     signals: list[int] = []  # an event would hang where a second signal interrupts its set()
     take_signals(lambda number, _: signals.append(number))
+    give_back_large_blocks()  # of messages that are too long
     try:
         rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
     except RuntimeError as error:  # arguments that rcl cannot read

@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 
 from socialnav.control.covering import covering_complaint
+from socialnav.control.doubts import Doubts
 from socialnav.control.extrapolation import extrapolate
 from socialnav.control.inputs import Inputs
+from socialnav.control.leaps import believed
 from socialnav.control.plan import PlanFollower
 from socialnav.control.progress import ProgressCheck
 from socialnav.control.reasons import ARRIVED, STALLED
@@ -76,6 +78,7 @@ class Controller:
         self.intention: Intention | None = None
         self.plan = PlanFollower()
         self.progress = ProgressCheck()
+        self.doubts = Doubts()
         self._policy = policy
         self._steady = steady
         self._locate = locate
@@ -115,12 +118,14 @@ class Controller:
         return self._inputs.ages(now)
 
     def concerns(self) -> list[str]:
-        """Return what is assumed of inputs that do not tell it."""
-        odometry = self._inputs.newest('odom') if self._latest else None
+        """Return what is assumed of inputs that do not tell it, and what of them cannot be."""
+        odometry, doubts = None, self.doubts.concerns(self._steady())
+        if self._latest:
+            odometry = self._inputs.newest('odom')
         if odometry is None or odometry.child_frame_id:
-            return []
+            return doubts
         base = self.settings.base_frame
-        return [f'odom has no child_frame_id: its twist is taken to be in {base}']
+        return [f'odom has no child_frame_id: its twist is taken to be in {base}', *doubts]
 
     def time_left(self, now: int) -> float:
         """
@@ -191,6 +196,10 @@ class Controller:
         if reason is not None:
             return NO_COMMAND, reason
         state = self._known_state(now)
+        reason = None if self.settings.lockstep else self._doubt()
+        if reason is not None:
+            return NO_COMMAND, reason
+        state = believed(state)
         distance = np.linalg.norm(state.robot.goal[0] - state.robot.position[0])
         self.goal_reached = self.goal_reached or bool(distance < self.settings.goal_tolerance)
         if self.goal_reached:
@@ -206,6 +215,12 @@ class Controller:
             self.intention = None
             return NO_COMMAND, self.progress.complaint
         return command, reason
+
+    def _doubt(self) -> str | None:
+        """Compare inputs with what they said before; return why the robot must stand, or None."""
+        self.doubts.look_at_people(self._inputs.lists('pedestrians'), self._steady())
+        odometry, goal = map(self._inputs.newest, ('odom', 'goal_pose'))
+        return self.doubts.reason(odometry, goal, self.settings)
 
     def _known_state(self, now: int) -> CrowdState:
         """Return the world at the inputs' own times, the nearest agents; begin a run if new."""

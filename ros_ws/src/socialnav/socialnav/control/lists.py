@@ -62,6 +62,7 @@ class Lists:
 
     def all(self) -> list[Any]:
         """Return every list that counts; None in place of one that cannot be read."""
+        self._disown()
         return [self._read(told) for told in self._told.values() if not told.replaced]
 
     def hear_of(self, publishers: Sequence[str]) -> None:
@@ -116,6 +117,19 @@ class Lists:
         if isinstance(told.message, Unread):
             told.message = content(told.message)
         return told.message
+
+    def _disown(self) -> None:
+        """
+        Take what cannot be read, and names a node that does not publish, for nobody's.
+
+        Its name may be as wrong as the rest of it; it would count for ever under that.
+        """
+        for source, told in list(self._told.items()):
+            if source and node_of(source) not in self._publishers and self._read(told) is None:
+                nameless = self._told.get('', told)
+                del self._told[source]
+                self._told[''] = max(told, nameless, key=lambda one: one.latest)
+        self._told = dict(sorted(self._told.items(), key=lambda pair: pair[1].latest))
 
     def _has_successor(self, source: str, told: Told) -> bool:
         """Return whether another process of the same node began after the last word of one."""

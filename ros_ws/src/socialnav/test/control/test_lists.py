@@ -6,6 +6,7 @@ import pytest
 
 from socialnav.control.lists import Lists, MOST
 from socialnav.messages.stamps import header_message
+from socialnav.messages.unread import Unread
 from socialnav_msgs.msg import AgentState, AgentStates
 
 
@@ -128,3 +129,16 @@ def test_the_list_of_who_gave_no_name_goes_with_its_publisher():
 def test_who_gave_no_name_is_kept_until_another_is_heard():
     waiting = lists_of(('', 1), publishers=('/a',))
     assert ids(waiting) == [1]
+
+
+def test_what_cannot_be_read_counts_under_the_name_of_a_publisher_only():
+    lists = lists_of(('/a:1', 1), ('/a:1', 2), publishers=('/a',))
+    garbage = Unread(lambda _: None, b'')
+    lists.store('/a:1', garbage)
+    lists.store('', told(3))
+    assert lists.all().count(None) == 1
+    lists.store('/a:1', told(4))
+    lists.store('wrong', garbage)
+    assert lists.newest() is None and lists.all().count(None) == 1
+    lists.store('', told(5))
+    assert ids(lists) == [4, 5]

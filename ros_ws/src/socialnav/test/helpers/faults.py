@@ -68,6 +68,22 @@ INPUTS = {
     'twist nowhere': Fault(
         'odometry has no `child_frame_id`', 'its twist is taken to be in base_link', DRIVES
     ),
+    'twist of another frame': Fault(
+        'the twist is in the frame of the pose, though `child_frame_id` names the robot',
+        'its twist is in the frame of the pose', DRIVES,
+    ),
+    'pose stands': Fault(
+        'the pose of odometry stands while its twist moves',
+        'the pose stands while the twist moves', DRIVES,
+    ),
+    'odom jumps': Fault(
+        'the pose jumps farther than the robot can have driven', 'odom jumped by',
+        'stands until there is another goal, or the same with another stamp', LIMIT,
+    ),
+    'people jump': Fault('a pedestrian jumps under its id', 'jumped by', DRIVES),
+    'people too fast': Fault(
+        'a pedestrian is faster than anybody runs', 'taken to stand', DRIVES
+    ),
     'goal nan': Fault('the goal is NaN', 'goal_pose: position', within=LIMIT),
     'goal elsewhere': Fault(
         'the goal is in a frame that nobody knows', "goal_pose: in frame 'map'", within=LIMIT

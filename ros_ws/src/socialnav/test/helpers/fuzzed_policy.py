@@ -159,6 +159,7 @@ class FuzzedPolicy:
         if self.node.state() == 'active':
             self.node.change_state(label='deactivate')
         for transition in ('cleanup', 'configure'):
+            self.send()  # obstacles are latched: those of a foreign source would count for ever
             self.node.set_parameters(defaults)
             self.node.change_state(label=transition)
         assert self.node.change_state(label='activate') and self.node.state() == 'active'

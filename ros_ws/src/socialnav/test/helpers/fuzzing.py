@@ -1,6 +1,7 @@
 """A node under fire: hostile messages, parameters and transitions, and what it must still do."""
 
 import dataclasses
+import os
 from pathlib import Path
 import time
 from typing import Any
@@ -11,6 +12,7 @@ import numpy as np
 from rcl_interfaces.srv import GetParameters, SetParameters
 from rclpy.parameter import Parameter
 
+from helpers.cores import added, RAN, shares, WAITED
 from helpers.graph import Graph, UNSEEN_MATCH
 from helpers.hostile import Hostile
 from socialnav.parameters.fields import Entry
@@ -35,6 +37,10 @@ class Figures:
     """Times from good inputs to motion, s."""
     answers: list[float] = dataclasses.field(default_factory=list)
     """Times from a request to its answer, s."""
+    own: list[float] = dataclasses.field(default_factory=list)
+    """The same without the times in which node or test waited for a core, s."""
+    busy: list[float] = dataclasses.field(default_factory=list)
+    """Times for which the node's own thread ran until the answer, s."""
     stops: list[float] = dataclasses.field(default_factory=list)
     """Times from an input that is bad to standstill, s."""
     memory: list[float] = dataclasses.field(default_factory=list)
@@ -51,7 +57,9 @@ class Figures:
                 f'{name}: median {np.median(times):.2f} s, 99 % {np.percentile(times, 99):.2f} s, '
                 f'longest {max(times):.2f} s'
                 for name, times in (
-                    ('answer', self.answers), ('motion after good inputs', self.recoveries),
+                    ('answer', self.answers), ('without waits for a core', self.own),
+                    ("the node's thread ran", self.busy),
+                    ('motion after good inputs', self.recoveries),
                     ('standstill after a bad input', self.stops),
                 )
                 if times
@@ -84,11 +92,14 @@ class Target:
 
     def call(self, service: str, request: Any) -> Any:
         """Call a service; return its answer, and note how long that took."""
-        began = time.monotonic()
+        began, before = time.monotonic(), shares(self.pid, os.getpid())
         future = self.clients[service].call_async(request)
         self.graph.wait(future.done, f'answer of {service} to {request}'[:300], PATIENCE)
         duration = time.monotonic() - began
         self.figures.answers.append(duration)
+        after = shares(self.pid, os.getpid())
+        self.figures.own.append(max(0.0, duration - added(before, after, WAITED)))
+        self.figures.busy.append(added(before, after, RAN, self.pid))
         self.figures.longest[service] = max(self.figures.longest.get(service, 0.0), duration)
         self.figures.calls += 1
         return future.result()

@@ -13,7 +13,9 @@ GROWTH = 30.0
 MOST_SAID = 200_000
 """Bytes that a node may write in a round: what is said of hostile messages is short."""
 PROMPT = 1.0
-"""Time in which a service answers and a robot drives on, s."""
+"""Time in which a service answers and a robot drives on, s; waits for a core come on top."""
+MOST_BUSY = 0.3
+"""Longest time for which the thread of a node runs until an answer, on any machine, s."""
 
 
 @pytest.mark.parametrize('shooter', [FuzzedPolicy, FuzzedSimulator])
@@ -30,7 +32,8 @@ def test_a_node_under_fire_lives_answers_and_keeps_its_limits(
         fuzzed.round()
     figures = fuzzed.figures
     stops.measured.append(f'{shooter.__name__}, seed {seed}\n{figures.text()}')
-    assert np.percentile(figures.answers, 90) < PROMPT, figures.text()
+    assert max(figures.own) < PROMPT, figures.text()
+    assert max(figures.busy) < MOST_BUSY, figures.text()
     assert np.median(figures.recoveries) < PROMPT, figures.text()
     assert log.stat().st_size < rounds * MOST_SAID, figures.text()
     early = figures.memory[rounds // 4]
