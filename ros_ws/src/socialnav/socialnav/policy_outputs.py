@@ -146,6 +146,7 @@ class PolicyOutputs:
     def send(self, decision: Decision) -> None:
         """Publish a command as the type that is wanted."""
         kind, content = Twist, twist(decision.command, self.controller.settings.kinematics)
+        content['angular']['z'] += decision.turn_rate
         if self.stamped:
             now = self.node.get_clock().now().nanoseconds
             stamp = decision.stamp if self.lockstep else now

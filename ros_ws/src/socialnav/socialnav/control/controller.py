@@ -1,58 +1,28 @@
 """All of the decision: from the newest inputs to a velocity of the robot, or a reason to stand."""
 
 from collections.abc import Callable, Sequence
-import dataclasses
 import time
 from typing import Any
 
 import numpy as np
 
+from socialnav.control.arrival import Arrival, heading_error, turn_rate, wanted_heading
 from socialnav.control.covering import covering_complaint
+from socialnav.control.decisions import Decision, Intention, NO_COMMAND
 from socialnav.control.extrapolation import extrapolate
 from socialnav.control.inputs import Inputs
 from socialnav.control.plan import PlanFollower
 from socialnav.control.progress import ProgressCheck
-from socialnav.control.reasons import ARRIVED, STALLED
+from socialnav.control.reasons import ARRIVED, Cause, NO_GOAL, STALLED
 from socialnav.control.runs import Run
 from socialnav.control.tally import Tally
-from socialnav.messages.conversions import ConversionError, crowd_state
+from socialnav.messages.conversions import ConversionError, crowd_state, FrameError
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.grids import grid_discs, with_discs
 from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.policies import Policy
 from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.states import CrowdState
-
-NO_COMMAND = np.zeros(2)
-
-
-@dataclasses.dataclass(frozen=True)
-class Decision:
-    """What the robot shall do now."""
-
-    command: np.ndarray
-    """(vx, vy) in base_link, m/s, or speed and turn rate of a differential drive, (2,)."""
-    reason: str | None = None
-    """Why the robot stands; None while it drives."""
-    publish: bool = True
-    """False once the robot has stood for so long that others may command it."""
-    stamp: int = 0
-    """Time of the state that is answered in lockstep, ns."""
-    concern: str | None = None
-    """What is wrong though it drives."""
-
-
-@dataclasses.dataclass(frozen=True)
-class Intention:
-    """What the latest decision was about."""
-
-    state: CrowdState
-    """The world when the command takes effect, batch of one."""
-    command: np.ndarray
-    """(vx, vy) in the world frame, m/s, or speed and turn rate, (2,)."""
-    plan: np.ndarray | None = None
-    """Where the policy means to be afterwards, m, (steps, 2), if it tells."""
-
 
 class Controller:
     """Holds what is known and decides; one caller at a time."""
@@ -71,7 +41,8 @@ class Controller:
         :param steady: a clock that always runs, s.
         """
         self.settings = settings
-        self.goal_reached = False
+        self.arrival = Arrival()
+        self.state: CrowdState | None = None
         self.tally = Tally()
         self.intention: Intention | None = None
         self.plan = PlanFollower()
@@ -84,6 +55,13 @@ class Controller:
         self._latency = 0.0
         self._standing_since: float | None = None
         self._latest: Decision | None = None
+        self._cause = Cause.CONTROL
+        self._turn_rate = 0.0
+
+    @property
+    def goal_reached(self) -> bool:
+        """Return whether the run is over."""
+        return self.arrival.reached
 
     def store(self, name: str, message: Any) -> None:
         """
@@ -154,7 +132,9 @@ class Controller:
         command, reason = self._choose(now)
         published = self._to_be_published(reason)
         concern = self.progress.complaint if reason is None else None
-        self._latest = Decision(command, reason, published, stamp, concern)
+        cause = None if reason is None else self._cause
+        turn = self._turn_rate if reason is None else 0.0
+        self._latest = Decision(command, reason, published, stamp, concern, turn, cause)
         return self._latest
 
     def stall(self) -> Decision:
@@ -164,10 +144,13 @@ class Controller:
     def _choose(self, now: int) -> tuple[np.ndarray, str | None]:
         """Return a command, or a zero one and the reason; an error or a late end is one too."""
         settings, began = self.settings, self._steady()
-        self.intention = None
+        self.intention = self.state = None
+        self._cause, self._turn_rate = Cause.CONTROL, 0.0
         try:
             command, reason = self._considered(now)
         except ConversionError as error:
+            if isinstance(error, FrameError):
+                self._cause = Cause.FRAME
             return NO_COMMAND, str(error)
         except Exception as error:  # whatever it is, the robot must not drive on
             if settings.lockstep:
@@ -189,23 +172,41 @@ class Controller:
         """Return a command and, where the robot must stand instead, the reason."""
         reason = self._inputs.complaint(now, self.settings)
         if reason is not None:
+            self._cause = Cause.NO_GOAL if reason == NO_GOAL else Cause.INPUT
             return NO_COMMAND, reason
-        state = self._known_state(now)
-        distance = np.linalg.norm(state.robot.goal[0] - state.robot.position[0])
-        self.goal_reached = self.goal_reached or bool(distance < self.settings.goal_tolerance)
-        if self.goal_reached:
+        state = self.state = self._known_state(now)
+        heading = wanted_heading(self._inputs.newest('goal_pose'), self.settings, self._locate)
+        self.arrival.look(state, heading, self.settings)
+        if self.arrival.reached:
+            self._cause = Cause.ARRIVED
             return NO_COMMAND, ARRIVED
         reason = None if self.settings.lockstep else covering_complaint(state)
         if reason is not None:
             return NO_COMMAND, reason
         coming = self._coming_state(state, now)
+        if self.arrival.at_place and heading is not None:
+            return self._turned(coming, heading), None
         command, reason = self._drive(self._on_plan(coming, now))
         if reason is None and not self.settings.lockstep:
             self._watch_progress(coming, command)
         if self.progress.stopped:
-            self.intention = None
+            self.intention, self._cause = None, Cause.PROGRESS
             return NO_COMMAND, self.progress.complaint
         return command, reason
+
+    def _turned(self, state: CrowdState, heading: float) -> np.ndarray:
+        """
+        Return the command that turns the robot on the spot, within the limits.
+
+        :param state: when the command takes effect, batch of one.
+        :param heading: to be reached, rad.
+        """
+        settings, present = self.settings, float(state.robot.turn_rate[0])
+        rate = turn_rate(heading_error(state, heading), present, settings.limits)
+        if kinematics_of(settings.kinematics).has_heading:
+            return np.array([0.0, rate])
+        self._turn_rate = rate
+        return NO_COMMAND
 
     def _known_state(self, now: int) -> CrowdState:
         """Return the world at the inputs' own times, the nearest agents; begin a run if new."""
@@ -213,7 +214,7 @@ class Controller:
         state = self._read_state()
         moment = self._inputs.stamp('odom') if settings.lockstep else now
         if self._run.begins(goal, moment, 1.5 * settings.period if settings.lockstep else None):
-            self.goal_reached = False
+            self.arrival.begin()
             self.progress.aim(state.robot.goal[0], self._steady(), settings)
             self._policy.reset()
         state.time[:] = self._run.time

@@ -94,6 +94,11 @@ class PolicyParameters:
     goal_tolerance: float = parameter(
         0.3, 'distance to the goal at which it is reached', 'm', (0.01, 5.0), live='yes'
     )
+    goal_yaw_tolerance: float = parameter(
+        math.inf, 'angle to the heading of the goal at which it is reached, by turning on the '
+        'spot at the end; .inf: any heading will do',
+        'rad', (0.01, math.inf), live='yes',
+    )  # fmt: skip
     progress_distance: float = parameter(
         0.5, 'coming nearer to the goal, or along the plan, by so much is progress',
         'm', (0.01, 10.0), live='yes',
