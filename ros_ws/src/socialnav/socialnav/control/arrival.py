@@ -47,9 +47,7 @@ class Arrival:
         self.reached = abs(self.missing) <= settings.goal_yaw_tolerance
 
 
-def wanted_heading(
-    goal: PoseStamped, settings: PolicyParameters, locate: Locate
-) -> float | None:
+def wanted_heading(goal: PoseStamped, settings: PolicyParameters, locate: Locate) -> float | None:
     """
     Return the heading that a goal wants in the planning frame, rad; None where any will do.
 

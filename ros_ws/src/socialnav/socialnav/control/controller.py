@@ -1,9 +1,11 @@
 """All of the decision: from the newest inputs to a velocity of the robot, or a reason to stand."""
 
 from collections.abc import Callable, Sequence
+import dataclasses
 import time
 from typing import Any
 
+from geometry_msgs.msg import PoseStamped
 import numpy as np
 
 from socialnav.control.arrival import Arrival, heading_error, turn_rate, wanted_heading
@@ -12,17 +14,20 @@ from socialnav.control.decisions import Decision, Intention, NO_COMMAND
 from socialnav.control.extrapolation import extrapolate
 from socialnav.control.inputs import Inputs
 from socialnav.control.plan import PlanFollower
-from socialnav.control.progress import ProgressCheck
+from socialnav.control.progress import distance, ProgressCheck
 from socialnav.control.reasons import ARRIVED, Cause, NO_GOAL, STALLED
 from socialnav.control.runs import Run
 from socialnav.control.tally import Tally
 from socialnav.messages.conversions import ConversionError, crowd_state, FrameError
+from socialnav.messages.follow_requests import FollowRequest
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.grids import grid_discs, with_discs
+from socialnav.messages.stamps import header_message
 from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.policies import Policy
 from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.states import CrowdState
+
 
 class Controller:
     """Holds what is known and decides; one caller at a time."""
@@ -57,6 +62,7 @@ class Controller:
         self._latest: Decision | None = None
         self._cause = Cause.CONTROL
         self._turn_rate = 0.0
+        self._resting = not settings.goal_topics
 
     @property
     def goal_reached(self) -> bool:
@@ -69,6 +75,8 @@ class Controller:
 
         :param name: odom, pedestrians, obstacles, goal_pose, plan or map.
         """
+        if name == 'goal_pose':
+            self._resting = False
         self._inputs.store(name, message, merged=not self.settings.lockstep)
 
     def hear_of(self, name: str, publishers: Sequence[str]) -> None:
@@ -83,6 +91,30 @@ class Controller:
         """Forget the goal, so that the robot stands; return whether there was one."""
         self.progress.begin()
         return self._inputs.cancel_goal()
+
+    def follow(self, request: FollowRequest, now: int, *, same_goal: bool) -> None:
+        """
+        Head for the end of a path, along it.
+
+        :param now: ns, on the clock of the stamps.
+        :param same_goal: whether only the way to the present goal is another one.
+        """
+        header = header_message(now, request.end.header.frame_id)
+        self.store('plan', dataclasses.replace(request.path, header=header))
+        if not same_goal:
+            self.store('goal_pose', PoseStamped(header=header, pose=request.end.pose))
+
+    def rest(self) -> None:
+        """Be silent until there is another goal: somebody else may command the robot."""
+        self._inputs.forget('plan')
+        self._resting = True
+
+    def distance_left(self) -> float:
+        """Return the way to the goal, along the plan where one is followed, m; 0 if unknown."""
+        if self.state is None:
+            return 0.0
+        straight = distance(self.state.robot.goal[0], self.state.robot.position[0])
+        return straight if self.plan.way is None else self.plan.way
 
     def input_ages(self, now: int) -> dict[str, float]:
         """
@@ -295,6 +327,8 @@ class Controller:
 
     def _to_be_published(self, reason: str | None) -> bool:
         """Return whether a decision is worth a message; count how long the robot has stood."""
+        if self._resting:
+            return False
         if reason is None:
             self._standing_since = None
             return True

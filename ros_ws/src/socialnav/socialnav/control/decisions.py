@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 
 from socialnav.control.reasons import Cause
+from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.states import CrowdState
 
 NO_COMMAND = np.zeros(2)
@@ -40,3 +41,8 @@ class Intention:
     """(vx, vy) in the world frame, m/s, or speed and turn rate, (2,)."""
     plan: np.ndarray | None = None
     """Where the policy means to be afterwards, m, (steps, 2), if it tells."""
+
+
+def speed_of(decision: Decision, kinematics: str) -> float:
+    """Return how fast a decision moves the robot, m/s."""
+    return float(np.hypot(*kinematics_of(kinematics).twist(decision.command)[:2]))
