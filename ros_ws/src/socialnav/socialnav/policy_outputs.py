@@ -134,7 +134,10 @@ class PolicyOutputs:
     def log(self, state: str) -> None:
         """Write a line about what the robot does."""
         logger = self.node.get_logger()
-        (logger.info if state in (DRIVING, ARRIVED) else logger.warning)(state)
+        if state in (DRIVING, ARRIVED):  # rclpy raises where one call logs at two severities
+            logger.info(state)
+        else:
+            logger.warning(state)
 
     def report_plan(self, note: str) -> None:
         """Say why a plan is not followed, when that changes."""
