@@ -81,7 +81,10 @@ class Driver:
         self.create_inputs()
         self.nav2: Nav2Interface | None = None
         if is_installed() and not settings.lockstep:
-            self.nav2 = Nav2Interface(node, self.controller, self.outputs.publish, self.use_limit)
+            self.nav2 = Nav2Interface(
+                node, self.controller, self.outputs.publish, self.use_limit,
+                in_place=not parameters.goal_topics,
+            )  # fmt: skip
 
     def create_inputs(self) -> None:
         """Make the subscriptions."""
@@ -268,6 +271,8 @@ class Driver:
         # without goals from topics nav2 sees to it that its nodes command the robot in turn
         others = rivals(node, outputs.commands) if self.made_for.goal_topics else []
         found = [f'cmd_vel has other publishers: {", ".join(others)}'] * bool(others)
+        if self.nav2 is not None and (others := self.nav2.follower.rivals()):
+            found.append(f'follow_path is offered by others too: {", ".join(others)}')
         driving = outputs.reason is None
         found += concerns_of_base(node, outputs.commands, outputs.stamped, driving)
         for name, heard in self.subscriptions.items():

@@ -21,6 +21,7 @@ from socialnav.control.following import (
     same_end,
 )
 from socialnav.messages.follow_requests import FollowRequest
+from socialnav.neighbours import others_at
 
 NAME = 'follow_path'
 KEPT = 10.0
@@ -124,10 +125,11 @@ class FollowPathServer:
         if outcome != REACHED:
             self.controller.cancel_goal()
             self.stand(Decision(NO_COMMAND, f'{NAME}: {outcome.text}'))
-        log = self.node.get_logger()
-        (log.info if outcome.code == Code.NONE else log.error)(
-            f'{NAME}: {outcome.text or "goal reached"}'
-        )
+        logger, text = self.node.get_logger(), f'{NAME}: {outcome.text or "goal reached"}'
+        if outcome.code == Code.NONE:
+            logger.info(text)
+        else:
+            logger.error(text)
         self.answer(task, outcome)
 
     def answer(self, task: Task, outcome: Outcome) -> None:
@@ -146,6 +148,11 @@ class FollowPathServer:
     async def outcome_of(self, handle: ServerGoalHandle) -> Any:
         """Return the outcome of a path once it is known; rclpy sends it."""
         return await self.outcomes.pop(bytes(handle.goal_id.uuid))
+
+    def rivals(self) -> list[str]:
+        """Return the other nodes that offer the action."""
+        topic = self.node.resolve_topic_name(f'{NAME}/_action/feedback')
+        return others_at(self.node, topic)
 
     def start(self) -> None:
         """Accept paths."""

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from std_srvs.srv import Trigger
 
+from socialnav.demo.children import command_line
 from socialnav.messages.stamps import header_message
 
 SUCCEEDED, CANCELED, ABORTED = 4, 5, 6
@@ -29,9 +30,10 @@ SILENCE = 0.2
 class World:
     """A policy node, a base and a client."""
 
-    def __init__(self, graph):
+    def __init__(self, graph, log):
         self.graph, self.base, self.client = graph, Base(graph), PathClient(graph)
-        graph.start('policy_node', **PARAMETERS)
+        self.log = log
+        graph.run(command_line('policy_node', PARAMETERS), log=log)
         self.client.wait()
         self.base.robot.wait()
 
@@ -56,10 +58,10 @@ class World:
 
 
 @pytest.fixture(scope='module')
-def world():
+def world(tmp_path_factory):
     """Yield a world that all tests of this file use in turn."""
     with nav2_interfaces(), open_graph() as graph:
-        yield World(graph)
+        yield World(graph, tmp_path_factory.mktemp('log') / 'policy_node')
 
 
 def succeeds(world):
@@ -218,6 +220,7 @@ def test_a_goal_pose_that_comes_meanwhile_is_ignored_and_one_that_comes_later_is
     publisher.publish(elsewhere)
     assert world.client.outcome(known)[0] == SUCCEEDED
     assert abs(world.base.state.robot.position[0, 1]) < 10.0
+    assert FAULTS['path and goal_pose'].said in world.log.read_text()
     publisher.publish(elsewhere)
     world.moves()
     start = world.base.state.robot.position[0].copy()
