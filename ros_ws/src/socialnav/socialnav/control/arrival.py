@@ -5,15 +5,21 @@ import math
 from geometry_msgs.msg import PoseStamped
 import numpy as np
 
+from socialnav.control.progress import over
+from socialnav.control.reasons import NO_PROGRESS
 from socialnav.messages.conversions import heading_of, placement_of
 from socialnav.messages.frames import Locate
 from socialnav.parameters.policy import PolicyParameters
+from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.simulation.kinematics.angles import wrap
 from socialnav_core.simulation.kinematics.limits import changed, Limits
 from socialnav_core.states import CrowdState
 
 GAIN = 2.0
 """Turn rate for each rad that is missing, 1/s: the last half radian is turned ever more slowly."""
+NEARER = 0.05
+"""Turning nearer to the heading by so much is progress, rad."""
+STIFF = f'{NO_PROGRESS}: the robot is commanded to turn and does not'
 
 
 class Arrival:
@@ -30,7 +36,8 @@ class Arrival:
     def begin(self) -> None:
         """Have another goal."""
         self.at_place = self.reached = False
-        self.missing = 0.0
+        self.complaint: str | None = None
+        self._best, self._idle = math.inf, 0.0
 
     def look(self, state: CrowdState, heading: float | None, settings: PolicyParameters) -> None:
         """
@@ -43,8 +50,21 @@ class Arrival:
         self.at_place = self.at_place or bool(np.hypot(*offset) < settings.goal_tolerance)
         if not self.at_place or self.reached:
             return
-        self.missing = 0.0 if heading is None else heading_error(state, heading)
-        self.reached = abs(self.missing) <= settings.goal_yaw_tolerance
+        missing = 0.0 if heading is None else abs(heading_error(state, heading))
+        self.reached = missing <= settings.goal_yaw_tolerance
+        self._watch(missing, settings)
+
+    def _watch(self, missing: float, settings: PolicyParameters) -> None:
+        """
+        See whether the robot turns; each look counts as a period of turning.
+
+        :param missing: angle to the heading, rad.
+        """
+        self._idle += settings.period
+        if missing <= self._best - NEARER:
+            self._best, self._idle = missing, 0.0
+        stiff = over(self._idle, settings.progress_timeout) and not self.reached
+        self.complaint = STIFF if stiff else None
 
 
 def wanted_heading(goal: PoseStamped, settings: PolicyParameters, locate: Locate) -> float | None:
@@ -77,3 +97,19 @@ def turn_rate(missing: float, present: float, limits: Limits) -> float:
     wanted = math.copysign(min(GAIN * abs(missing), braking, limits.turn_rate), missing)
     change = limits.angular_acceleration * limits.period
     return float(changed(np.array(present), np.array(wanted), limits.turn_rate, change))
+
+
+def turning(
+    state: CrowdState, heading: float, settings: PolicyParameters
+) -> tuple[np.ndarray, float]:
+    """
+    Return the command that turns a robot on the spot, (2,), and its turn rate besides, rad/s.
+
+    :param state: when the command takes effect, batch of one.
+    :param heading: to be reached, rad.
+    """
+    present = float(state.robot.turn_rate[0])
+    rate = turn_rate(heading_error(state, heading), present, settings.limits)
+    if kinematics_of(settings.kinematics).has_heading:
+        return np.array([0.0, rate]), 0.0
+    return np.zeros(2), rate

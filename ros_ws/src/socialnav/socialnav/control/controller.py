@@ -8,7 +8,7 @@ from typing import Any
 from geometry_msgs.msg import PoseStamped
 import numpy as np
 
-from socialnav.control.arrival import Arrival, heading_error, turn_rate, wanted_heading
+from socialnav.control.arrival import Arrival, turning, wanted_heading
 from socialnav.control.covering import covering_complaint
 from socialnav.control.decisions import Decision, Intention, NO_COMMAND
 from socialnav.control.extrapolation import extrapolate
@@ -163,7 +163,7 @@ class Controller:
             return self._latest  # the state came again because the answer was lost
         command, reason = self._choose(now)
         published = self._to_be_published(reason)
-        concern = self.progress.complaint if reason is None else None
+        concern = None if reason else self.progress.complaint or self.arrival.complaint
         cause = None if reason is None else self._cause
         turn = self._turn_rate if reason is None else 0.0
         self._latest = Decision(command, reason, published, stamp, concern, turn, cause)
@@ -217,7 +217,8 @@ class Controller:
             return NO_COMMAND, reason
         coming = self._coming_state(state, now)
         if self.arrival.at_place and heading is not None:
-            return self._turned(coming, heading), None
+            command, self._turn_rate = turning(coming, heading, self.settings)
+            return command, None
         command, reason = self._drive(self._on_plan(coming, now))
         if reason is None and not self.settings.lockstep:
             self._watch_progress(coming, command)
@@ -225,20 +226,6 @@ class Controller:
             self.intention, self._cause = None, Cause.PROGRESS
             return NO_COMMAND, self.progress.complaint
         return command, reason
-
-    def _turned(self, state: CrowdState, heading: float) -> np.ndarray:
-        """
-        Return the command that turns the robot on the spot, within the limits.
-
-        :param state: when the command takes effect, batch of one.
-        :param heading: to be reached, rad.
-        """
-        settings, present = self.settings, float(state.robot.turn_rate[0])
-        rate = turn_rate(heading_error(state, heading), present, settings.limits)
-        if kinematics_of(settings.kinematics).has_heading:
-            return np.array([0.0, rate])
-        self._turn_rate = rate
-        return NO_COMMAND
 
     def _known_state(self, now: int) -> CrowdState:
         """Return the world at the inputs' own times, the nearest agents; begin a run if new."""

@@ -8,7 +8,7 @@ from helpers.worlds import messages_of, random_state
 import numpy as np
 import pytest
 
-from socialnav.control.arrival import turn_rate
+from socialnav.control.arrival import STIFF, turn_rate
 from socialnav.control.reasons import Cause
 from socialnav_core.simulation.kinematics import Limits
 
@@ -101,6 +101,16 @@ def test_an_orientation_that_is_none_stops_the_robot_only_where_it_counts(policy
         controller = controller_of(policy, settings, state=at_goal(2.0))
         controller.store('goal_pose', goal)
         assert controller.decide(SECOND).cause is cause
+
+
+def test_a_robot_that_does_not_turn_is_told_of_until_it_does(policy):
+    settings = dataclasses.replace(TURNING, progress_timeout=1.0)
+    controller = controller_of(policy, settings, state=at_goal(2.0))
+    for tick in range(14):
+        now, heading = SECOND + int(tick * PERIOD * 1e9), 2.0 if tick < 12 else 1.9
+        give(controller, at_goal(heading), now, without=['goal_pose'])
+        decision = controller.decide(now)
+        assert (decision.concern == STIFF) == (10 <= tick < 12) and decision.turn_rate
 
 
 @pytest.mark.parametrize('missing', [-3.0, -0.02, 0.0, 0.4, 3.0])
