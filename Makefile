@@ -27,12 +27,12 @@ test: setup  ## everything that continuous integration runs; OPTIONS go to pytes
 test-all: setup  ## the same with the long tests
 	@scripts/test.sh -m 'slow or not slow' $(OPTIONS)
 
-lint: setup  ## style, types, spelling, the Dockerfile
+lint: setup  ## style, types, spelling, the Dockerfiles
 	.venv/bin/ruff check .
 	.venv/bin/ruff format --check .
 	.venv/bin/mypy
 	.venv/bin/codespell
-	.venv/bin/hadolint docker/Dockerfile
+	.venv/bin/hadolint docker/Dockerfile docker/nav2.Dockerfile
 
 bench: setup  ## speed, as ratios against a plain reference in the same run
 	.venv/bin/socialnav benchmark all

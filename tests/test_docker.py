@@ -20,9 +20,12 @@ def parameters_of(name):
     return {one.target.id for one in kind.body if isinstance(one, ast.AnnAssign)}
 
 
-@pytest.mark.parametrize('name', ['simulator', 'policy'])
-def test_a_service_runs_a_node_with_parameters_that_it_has(name):
-    executable, *arguments = SERVICES[name]['command']
+@pytest.mark.parametrize(
+    ('service', 'name'),
+    [('simulator', 'simulator'), ('policy', 'policy'), ('sensing', 'simulator')],
+)
+def test_a_service_runs_a_node_with_parameters_that_it_has(service, name):
+    executable, *arguments = SERVICES[service]['command']
     assert executable == f'{name}_node'
     assert f"'{executable} = socialnav." in (PACKAGE / 'setup.py').read_text()
     parameters = {one.split(':=')[0] for one in arguments if ':=' in one}
@@ -30,9 +33,24 @@ def test_a_service_runs_a_node_with_parameters_that_it_has(name):
     assert parameters <= parameters_of(name)
 
 
-def test_the_policy_hears_the_simulator_and_nobody_else_does():
-    simulator, policy = SERVICES['simulator'], SERVICES['policy']
-    assert policy['network_mode'] == policy['ipc'] == 'service:simulator'
+def test_nav2_is_launched_by_a_file_with_arguments_that_it_has_and_only_when_it_is_asked_for():
+    *command, file, argument = SERVICES['nav2']['command']
+    assert command == ['ros2', 'launch', 'socialnav']
+    text = (PACKAGE / 'launch' / file).read_text()
+    assert f"('{argument.split(':=')[0]}', " in text
+    image = (ROOT / SERVICES['nav2']['build']['dockerfile']).read_text()
+    packages = re.findall(r"'(nav2_[a-z_]+)'", text)
+    assert 'nav2_planner' in packages
+    for package in packages:
+        assert f'ros-jazzy-{package.replace("_", "-")}' in image or package.endswith('launch')
+    assert SERVICES['nav2']['profiles'] == SERVICES['sensing']['profiles'] == ['nav2']
+    assert 'profiles' not in SERVICES['policy']
+
+
+@pytest.mark.parametrize(('heard', 'hearing'), [('simulator', 'policy'), ('sensing', 'nav2')])
+def test_the_policy_hears_the_simulator_and_nobody_else_does(heard, hearing):
+    simulator, policy = SERVICES[heard], SERVICES[hearing]
+    assert policy['network_mode'] == policy['ipc'] == f'service:{heard}'
     assert simulator['ipc'] == 'shareable'
     assert not {'network_mode', 'ports'} & simulator.keys()
     for service in (simulator, policy):

@@ -19,10 +19,12 @@ from socialnav.control.controller import Controller
 from socialnav.control.diagnostics import controller_facts
 from socialnav.control.models import named_model, ready_policy
 from socialnav.control.settings import controller_settings
+from socialnav.control.speed_limit import limited, NO_LIMIT, SpeedLimit
 from socialnav.messages.frames import not_asked
 from socialnav.messages.reading import READERS
 from socialnav.messages.transforms import Transforms
 from socialnav.messages.unread import Unread
+from socialnav.nav2.interface import is_installed, Nav2Interface
 from socialnav.neighbours import concerns_of_base, concerns_of_input, rivals
 from socialnav.parameters.policy import PolicyParameters
 from socialnav.policy_outputs import PolicyOutputs
@@ -32,6 +34,10 @@ from socialnav.realtime.punctuality import Punctuality
 from socialnav.realtime.watchdog import Watchdog
 from socialnav.speakers import Speakers
 from socialnav_msgs.msg import AgentStates
+
+GOALS = ('goal_pose', 'plan')
+"""Inputs that a path of follow_path takes the place of."""
+NOBODY = 'goal_topics is false and nav2_msgs is not installed: nobody can give the robot a goal'
 
 
 @dataclasses.dataclass(frozen=True)
@@ -58,7 +64,10 @@ class Driver:
         :param on_change: called when the reason for standing is another one.
         :raises ValueError: parameters or a model that cannot be used.
         """
-        self.made_for = parameters
+        self.made_for = self.parameters = parameters
+        if not (parameters.goal_topics or is_installed()):
+            raise ValueError(NOBODY)
+        self.limit = NO_LIMIT
         settings = controller_settings(parameters)
         self.transforms = Transforms(node)
         locate = not_asked if settings.lockstep else self.transforms.locate
@@ -70,6 +79,12 @@ class Driver:
         self.punctuality = Punctuality(settings.period)
         self.outputs = PolicyOutputs(node, self.controller, on_change)
         self.create_inputs()
+        self.nav2: Nav2Interface | None = None
+        if is_installed() and not settings.lockstep:
+            self.nav2 = Nav2Interface(
+                node, self.controller, self.outputs.publish, self.use_limit,
+                in_place=not parameters.goal_topics,
+            )  # fmt: skip
 
     def create_inputs(self) -> None:
         """Make the subscriptions."""
@@ -78,9 +93,10 @@ class Driver:
             ('odom', Odometry, moving),
             ('pedestrians', AgentStates, moving),
             ('obstacles', AgentStates, qos.OBSTACLES_INPUT),
-            ('goal_pose', PoseStamped, qos.GOAL),
         ]
-        if not self.lockstep:
+        if self.lockstep or self.made_for.goal_topics:
+            inputs.append(('goal_pose', PoseStamped, qos.GOAL))
+        if not self.lockstep and self.made_for.goal_topics:
             inputs.append(('plan', Path, qos.PLAN))
         if self.controller.settings.use_map:
             inputs.append(('map', OccupancyGrid, qos.MAP))
@@ -103,6 +119,8 @@ class Driver:
         self.running = True
         self.outputs.begin()
         self.controller.progress.begin()
+        if self.nav2 is not None:
+            self.nav2.follower.start()
         if not self.lockstep:
             settings, clock = self.controller.settings, pacing_clock(self.node)
             self.punctuality = Punctuality(settings.period)
@@ -114,18 +132,26 @@ class Driver:
 
     def use(self, parameters: PolicyParameters) -> None:
         """Use other parameters from now on."""
-        self.controller.settings = controller_settings(parameters)
+        self.parameters = parameters
+        self.controller.settings = limited(controller_settings(parameters), self.limit)
         if self.pace is not None:  # another watchdog, which has not been fed by that
             former, timeout = self.pace.watchdog, self.controller.settings.stall_timeout
             former.stop()
             watchdog = Watchdog(timeout, self.on_stall, former.fed)
             self.pace = dataclasses.replace(self.pace, watchdog=watchdog)
 
+    def use_limit(self, limit: SpeedLimit) -> None:
+        """Drive no faster than that from now on."""
+        self.limit = limit
+        self.controller.settings = limited(controller_settings(self.parameters), limit)
+
     def stop(self) -> None:
         """Stop the robot: a zero command is the last one."""
         if not self.running:
             return
         self.running = False
+        if self.nav2 is not None:
+            self.nav2.follower.stop()
         if self.pace is not None:
             self.pace.watchdog.stop()
             self.node.destroy_timer(self.pace.timer)
@@ -136,6 +162,8 @@ class Driver:
     def close(self) -> None:
         """Stop the robot and give up all topics."""
         self.stop()
+        if self.nav2 is not None:
+            self.nav2.close()
         for subscription in self.subscriptions.values():
             self.node.destroy_subscription(subscription)
         self.outputs.close()
@@ -144,6 +172,10 @@ class Driver:
 
     def on_input(self, name: str, message: Any) -> None:
         """Store a message; in lockstep, decide when it completes a state."""
+        if name in GOALS and self.nav2 is not None and self.nav2.follower.task is not None:
+            text = f'ignored: {name}: a path of follow_path is being followed'
+            self.node.get_logger().warning(text, throttle_duration_sec=10.0)
+            return
         self.controller.store(name, message)
         if self.lockstep and self.controller.take_complete_state():
             self.on_state()
@@ -201,6 +233,8 @@ class Driver:
         drives = decision.reason is None
         ages = self.controller.input_ages(now) if drives else {}  # else nobody has read them
         self.punctuality.command(self.outputs.latest_command, ages)
+        if self.nav2 is not None:
+            self.nav2.follower.tick(decision, now)
 
     def on_expiry(self) -> None:
         """Stop the robot when an input has become too old: the next tick may be a period away."""
@@ -234,8 +268,11 @@ class Driver:
     def concerns(self) -> list[str]:
         """Return what is wrong besides what makes the robot stand, as far as the graph tells."""
         outputs, node = self.outputs, self.node
-        others = rivals(node, outputs.commands)
+        # without goals from topics nav2 sees to it that its nodes command the robot in turn
+        others = rivals(node, outputs.commands) if self.made_for.goal_topics else []
         found = [f'cmd_vel has other publishers: {", ".join(others)}'] * bool(others)
+        if self.nav2 is not None and (others := self.nav2.follower.rivals()):
+            found.append(f'follow_path is offered by others too: {", ".join(others)}')
         driving = outputs.reason is None
         found += concerns_of_base(node, outputs.commands, outputs.stamped, driving)
         for name, heard in self.subscriptions.items():

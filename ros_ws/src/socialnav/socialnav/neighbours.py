@@ -13,7 +13,12 @@ COMMANDS = ('geometry_msgs/msg/Twist', 'geometry_msgs/msg/TwistStamped')
 
 def rivals(node: Node, commands: Publisher) -> list[str]:
     """Return the other nodes that publish commands."""
-    names = [name_of(one) for one in node.get_publishers_info_by_topic(commands.topic_name)]
+    return others_at(node, commands.topic_name)
+
+
+def others_at(node: Node, topic: str) -> list[str]:
+    """Return the other nodes that publish a topic, given by its full name."""
+    names = [name_of(one) for one in node.get_publishers_info_by_topic(topic)]
     with contextlib.suppress(ValueError):
         names.remove(node.get_fully_qualified_name())
     return sorted(names)

@@ -13,6 +13,8 @@ from socialnav.control.diagnostics import diagnostics_message
 from socialnav.control.requirements import requirements, risks
 from socialnav.driver import Driver
 from socialnav.lifecycle import answer_every_transition
+from socialnav.nav2.bond import Bond, bond_of
+from socialnav.nav2.interface import ABSENT, is_installed
 from socialnav.parameters.declaring import declare, updated
 from socialnav.parameters.fields import same_but_live
 from socialnav.parameters.policy import PolicyParameters
@@ -38,6 +40,7 @@ class PolicyNode(LifecycleNode):
         super().__init__('policy_node')
         answer_every_transition(self)
         self.driver: Driver | None = None
+        self.bond: Bond | None = None
         self.label = 'unconfigured'
         self.problem: str | None = None
         self.alarmist = Announcer(self.get_logger().warning)
@@ -87,12 +90,14 @@ class PolicyNode(LifecycleNode):
         result = super().on_activate(state)
         set_aside()
         driver.start(self.settings)
+        self.bond = bond_of(self, managed=not self.settings.autostart)
         self.enter('active')
         self.announce()
         return result
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Stop the robot, then fall silent."""
+        self.part()
         if self.driver is not None:
             self.driver.stop()
         self.enter('inactive')
@@ -123,6 +128,8 @@ class PolicyNode(LifecycleNode):
             return
         logger = self.get_logger()
         logger.info(requirements(self.settings))
+        if not is_installed():
+            logger.info(ABSENT)
         if (risk := risks(self.settings)) is not None:
             logger.warning(risk)
 
@@ -146,8 +153,15 @@ class PolicyNode(LifecycleNode):
         name = self.get_name()
         self.health.publish(diagnostics_message(now, name, self.label, reason, facts, concerns))
 
+    def part(self) -> None:
+        """Give no sign of life any more."""
+        if self.bond is not None:
+            self.bond.close()
+        self.bond = None
+
     def release(self) -> None:
         """Give up everything that was made at configuration."""
+        self.part()
         if self.driver is not None:
             self.driver.close()
         self.driver = None

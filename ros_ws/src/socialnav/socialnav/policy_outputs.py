@@ -134,7 +134,10 @@ class PolicyOutputs:
     def log(self, state: str) -> None:
         """Write a line about what the robot does."""
         logger = self.node.get_logger()
-        (logger.info if state in (DRIVING, ARRIVED) else logger.warning)(state)
+        if state in (DRIVING, ARRIVED):  # rclpy raises where one call logs at two severities
+            logger.info(state)
+        else:
+            logger.warning(state)
 
     def report_plan(self, note: str) -> None:
         """Say why a plan is not followed, when that changes."""
@@ -146,6 +149,7 @@ class PolicyOutputs:
     def send(self, decision: Decision) -> None:
         """Publish a command as the type that is wanted."""
         kind, content = Twist, twist(decision.command, self.controller.settings.kinematics)
+        content['angular']['z'] += decision.turn_rate
         if self.stamped:
             now = self.node.get_clock().now().nanoseconds
             stamp = decision.stamp if self.lockstep else now

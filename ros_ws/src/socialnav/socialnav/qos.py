@@ -42,6 +42,8 @@ STATE = profile(1, latched=True)
 DIAGNOSTICS = profile(10)
 ATTENTION = profile(1)
 PREDICTED_PATH = profile(1)
+SPEED_LIMIT = profile(10)
+BOND = profile(5)
 
 SENSOR_INPUT = profile(5, reliable=False)
 """What the policy reads in real time: any publisher matches, and old samples are worth nothing."""

@@ -107,7 +107,8 @@ def test_the_readme_lists_every_topic_as_it_is(graph, name, parameters):
     for direction, topic, kind, reliability, durability, text in rows(section(name), 'direction'):
         if of_other_source(text, parameters):
             continue
-        if 'where tf2_msgs is installed' in text and find_spec('tf2_msgs') is None:
+        wanted = re.search(r'where (\w+) is installed', text)
+        if wanted and find_spec(wanted[1]) is None or 'without `autostart`' in text:
             continue
         full = topic.strip('`').replace('~', f'/{name}')
         full = full if full.startswith('/') else f'/{full}'

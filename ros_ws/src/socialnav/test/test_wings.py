@@ -9,8 +9,8 @@ import pytest
 
 PACKAGE = Path(__file__).parents[1] / 'socialnav'
 ORDER = (
-    'qos', 'programs', 'messages', 'parameters', 'control', 'realtime', 'perception', 'simulator',
-    'demo',
+    'qos', 'programs', 'neighbours', 'messages', 'parameters', 'control', 'nav2', 'realtime',
+    'perception', 'simulator', 'demo',
 )  # fmt: skip
 """Wings, and modules that they use; none imports one that comes after it, or any other module."""
 LARGEST_TOP_LEVEL = 15

@@ -5,55 +5,30 @@ import dataclasses
 import time
 from typing import Any
 
+from geometry_msgs.msg import PoseStamped
 import numpy as np
 
+from socialnav.control.arrival import Arrival, turning, wanted_heading
 from socialnav.control.covering import covering_complaint
+from socialnav.control.decisions import Decision, Intention, NO_COMMAND
 from socialnav.control.doubts import Doubts
 from socialnav.control.extrapolation import extrapolate
 from socialnav.control.inputs import Inputs
 from socialnav.control.leaps import believed
 from socialnav.control.plan import PlanFollower
-from socialnav.control.progress import ProgressCheck
-from socialnav.control.reasons import ARRIVED, STALLED
+from socialnav.control.progress import distance, ProgressCheck
+from socialnav.control.reasons import ARRIVED, Cause, NO_GOAL, STALLED
 from socialnav.control.runs import Run
 from socialnav.control.tally import Tally
-from socialnav.messages.conversions import ConversionError, crowd_state
+from socialnav.messages.conversions import ConversionError, crowd_state, FrameError
+from socialnav.messages.follow_requests import FollowRequest
 from socialnav.messages.frames import Locate, not_asked
 from socialnav.messages.grids import grid_discs, with_discs
+from socialnav.messages.stamps import header_message
 from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.policies import Policy
 from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.states import CrowdState
-
-NO_COMMAND = np.zeros(2)
-
-
-@dataclasses.dataclass(frozen=True)
-class Decision:
-    """What the robot shall do now."""
-
-    command: np.ndarray
-    """(vx, vy) in base_link, m/s, or speed and turn rate of a differential drive, (2,)."""
-    reason: str | None = None
-    """Why the robot stands; None while it drives."""
-    publish: bool = True
-    """False once the robot has stood for so long that others may command it."""
-    stamp: int = 0
-    """Time of the state that is answered in lockstep, ns."""
-    concern: str | None = None
-    """What is wrong though it drives."""
-
-
-@dataclasses.dataclass(frozen=True)
-class Intention:
-    """What the latest decision was about."""
-
-    state: CrowdState
-    """The world when the command takes effect, batch of one."""
-    command: np.ndarray
-    """(vx, vy) in the world frame, m/s, or speed and turn rate, (2,)."""
-    plan: np.ndarray | None = None
-    """Where the policy means to be afterwards, m, (steps, 2), if it tells."""
 
 
 class Controller:
@@ -73,7 +48,8 @@ class Controller:
         :param steady: a clock that always runs, s.
         """
         self.settings = settings
-        self.goal_reached = False
+        self.arrival = Arrival()
+        self.state: CrowdState | None = None
         self.tally = Tally()
         self.intention: Intention | None = None
         self.plan = PlanFollower()
@@ -87,6 +63,14 @@ class Controller:
         self._latency = 0.0
         self._standing_since: float | None = None
         self._latest: Decision | None = None
+        self._cause = Cause.CONTROL
+        self._turn_rate = 0.0
+        self._resting = not settings.goal_topics
+
+    @property
+    def goal_reached(self) -> bool:
+        """Return whether the run is over."""
+        return self.arrival.reached
 
     def store(self, name: str, message: Any) -> None:
         """
@@ -94,6 +78,8 @@ class Controller:
 
         :param name: odom, pedestrians, obstacles, goal_pose, plan or map.
         """
+        if name == 'goal_pose':
+            self._resting = False
         self._inputs.store(name, message, merged=not self.settings.lockstep)
 
     def hear_of(self, name: str, publishers: Sequence[str]) -> None:
@@ -108,6 +94,30 @@ class Controller:
         """Forget the goal, so that the robot stands; return whether there was one."""
         self.progress.begin()
         return self._inputs.cancel_goal()
+
+    def follow(self, request: FollowRequest, now: int, *, same_goal: bool) -> None:
+        """
+        Head for the end of a path, along it.
+
+        :param now: ns, on the clock of the stamps.
+        :param same_goal: whether only the way to the present goal is another one.
+        """
+        header = header_message(now, request.end.header.frame_id)
+        self.store('plan', dataclasses.replace(request.path, header=header))
+        if not same_goal:
+            self.store('goal_pose', PoseStamped(header=header, pose=request.end.pose))
+
+    def rest(self) -> None:
+        """Be silent until there is another goal: somebody else may command the robot."""
+        self._inputs.forget('plan')
+        self._resting = True
+
+    def distance_left(self) -> float:
+        """Return the way to the goal, along the plan where one is followed, m; 0 if unknown."""
+        if self.state is None:
+            return 0.0
+        straight = distance(self.state.robot.goal[0], self.state.robot.position[0])
+        return straight if self.plan.way is None else self.plan.way
 
     def input_ages(self, now: int) -> dict[str, float]:
         """
@@ -158,8 +168,10 @@ class Controller:
             return self._latest  # the state came again because the answer was lost
         command, reason = self._choose(now)
         published = self._to_be_published(reason)
-        concern = self.progress.complaint if reason is None else None
-        self._latest = Decision(command, reason, published, stamp, concern)
+        concern = None if reason else self.progress.complaint or self.arrival.complaint
+        cause = None if reason is None else self._cause
+        turn = self._turn_rate if reason is None else 0.0
+        self._latest = Decision(command, reason, published, stamp, concern, turn, cause)
         return self._latest
 
     def stall(self) -> Decision:
@@ -169,10 +181,13 @@ class Controller:
     def _choose(self, now: int) -> tuple[np.ndarray, str | None]:
         """Return a command, or a zero one and the reason; an error or a late end is one too."""
         settings, began = self.settings, self._steady()
-        self.intention = None
+        self.intention = self.state = None
+        self._cause, self._turn_rate = Cause.CONTROL, 0.0
         try:
             command, reason = self._considered(now)
         except ConversionError as error:
+            if isinstance(error, FrameError):
+                self._cause = Cause.FRAME
             return NO_COMMAND, str(error)
         except Exception as error:  # whatever it is, the robot must not drive on
             if settings.lockstep:
@@ -194,25 +209,31 @@ class Controller:
         """Return a command and, where the robot must stand instead, the reason."""
         reason = self._inputs.complaint(now, self.settings)
         if reason is not None:
+            self._cause = Cause.NO_GOAL if reason == NO_GOAL else Cause.INPUT
             return NO_COMMAND, reason
         state = self._known_state(now)
         reason = None if self.settings.lockstep else self._doubt()
         if reason is not None:
+            self._cause = Cause.INPUT
             return NO_COMMAND, reason
-        state = believed(state)
-        distance = np.linalg.norm(state.robot.goal[0] - state.robot.position[0])
-        self.goal_reached = self.goal_reached or bool(distance < self.settings.goal_tolerance)
-        if self.goal_reached:
+        state = self.state = believed(state)
+        heading = wanted_heading(self._inputs.newest('goal_pose'), self.settings, self._locate)
+        self.arrival.look(state, heading, self.settings)
+        if self.arrival.reached:
+            self._cause = Cause.ARRIVED
             return NO_COMMAND, ARRIVED
         reason = None if self.settings.lockstep else covering_complaint(state)
         if reason is not None:
             return NO_COMMAND, reason
         coming = self._coming_state(state, now)
+        if self.arrival.at_place and heading is not None:
+            command, self._turn_rate = turning(coming, heading, self.settings)
+            return command, None
         command, reason = self._drive(self._on_plan(coming, now))
         if reason is None and not self.settings.lockstep:
             self._watch_progress(coming, command)
         if self.progress.stopped:
-            self.intention = None
+            self.intention, self._cause = None, Cause.PROGRESS
             return NO_COMMAND, self.progress.complaint
         return command, reason
 
@@ -228,7 +249,7 @@ class Controller:
         state = self._read_state()
         moment = self._inputs.stamp('odom') if settings.lockstep else now
         if self._run.begins(goal, moment, 1.5 * settings.period if settings.lockstep else None):
-            self.goal_reached = False
+            self.arrival.begin()
             self.progress.aim(state.robot.goal[0], self._steady(), settings)
             self._policy.reset()
         state.time[:] = self._run.time
@@ -309,6 +330,8 @@ class Controller:
 
     def _to_be_published(self, reason: str | None) -> bool:
         """Return whether a decision is worth a message; count how long the robot has stood."""
+        if self._resting:
+            return False
         if reason is None:
             self._standing_since = None
             return True

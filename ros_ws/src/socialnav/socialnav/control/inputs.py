@@ -78,6 +78,10 @@ class Inputs:
         self._cancelled = goal or self._cancelled
         return goal is not None
 
+    def forget(self, name: str) -> None:
+        """Have an input no more."""
+        self._newest.pop(name, None)
+
     def hear_of(self, name: str, publishers: Sequence[str]) -> None:
         """
         Take note of who publishes a list.

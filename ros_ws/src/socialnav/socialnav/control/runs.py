@@ -1,14 +1,13 @@
 """When one run to a goal ends and the next begins."""
 
-from geometry_msgs.msg import Point, PoseStamped
-from std_msgs.msg import Header
+from geometry_msgs.msg import PoseStamped
 
 
 class Run:
     """
     The run that a controller is in.
 
-    A robot begins a run with each goal that has a new stamp, frame or place; one that was typed by
+    A robot begins a run with each goal that has a new stamp, frame or pose; one that was typed by
     hand may have no stamp. In lockstep every state carries its own goal, so there a run begins
     where the goal moves or the clock jumps over more than a step.
     """
@@ -26,7 +25,7 @@ class Run:
         :param longest_step: time between two states of a run in lockstep, s; None elsewhere.
         """
         if longest_step is None:
-            new = self._goal is None or what_is_new(goal) != what_is_new(self._goal)
+            new = goal is not self._goal and goal != self._goal
         else:
             jumped = now - self._latest > longest_step * 1e9
             new = jumped or self._goal is None or goal.pose.position != self._goal.pose.position
@@ -39,8 +38,3 @@ class Run:
     def time(self) -> float:
         """Return the time since the run began, s."""
         return (self._latest - self._begin) * 1e-9
-
-
-def what_is_new(goal: PoseStamped) -> tuple[Header, Point]:
-    """Return what tells one goal from another; its orientation means nothing."""
-    return goal.header, goal.pose.position

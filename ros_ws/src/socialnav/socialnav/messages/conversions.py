@@ -33,6 +33,10 @@ class ConversionError(ValueError):
         super().__init__(cut(text))
 
 
+class FrameError(ConversionError):
+    """A message in a frame of which nobody knows where it lies."""
+
+
 @dataclasses.dataclass(frozen=True)
 class RobotBody:
     """What no message says about the robot."""
@@ -218,7 +222,7 @@ def placement_of(
     :param name: the input, for the error.
     :param newest: whether the newest placement counts, since what the message tells stands still
         and may have been told long ago; otherwise that at its stamp.
-    :raises ConversionError: a frame that nobody knows.
+    :raises FrameError: a frame that nobody knows.
     """
     if header.frame_id == frame:
         return HERE
@@ -226,7 +230,7 @@ def placement_of(
         return locate(frame, header.frame_id, 0 if newest else nanoseconds_of(header.stamp))
     except LookupError as error:
         text = f'{name}: in frame {quoted(header.frame_id)}, but {str(error)[:LONGEST_REASON]}'
-        raise ConversionError(text) from error
+        raise FrameError(text) from error
 
 
 def quoted(text: str) -> str:

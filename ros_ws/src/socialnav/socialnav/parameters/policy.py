@@ -94,6 +94,11 @@ class PolicyParameters:
     goal_tolerance: float = parameter(
         0.3, 'distance to the goal at which it is reached', 'm', (0.01, 5.0), live='yes'
     )
+    goal_yaw_tolerance: float = parameter(
+        math.inf, 'angle to the heading of the goal at which it is reached, by turning on the '
+        'spot at the end; .inf: any heading will do',
+        'rad', (0.01, math.inf), live='yes',
+    )  # fmt: skip
     progress_distance: float = parameter(
         0.5, 'coming nearer to the goal, or along the plan, by so much is progress',
         'm', (0.01, 10.0), live='yes',
@@ -106,6 +111,22 @@ class PolicyParameters:
         30.0, 'time of driving without progress after which the robot stops; 0: never',
         's', (0.0, 3600.0), live='yes',
     )  # fmt: skip
+    failure_tolerance: float = parameter(
+        0.3, 'time without a command after which follow_path fails; 0: at once, -1: never',
+        's', (-1.0, 3600.0), live='yes',
+    )  # fmt: skip
+    controller_id: str = parameter(
+        'FollowPath', 'name that follow_path is called with', live='yes'
+    )
+    goal_checker_id: str = parameter(
+        'general_goal_checker', 'name of the only check of goals', live='yes'
+    )
+    progress_checker_id: str = parameter(
+        'progress_checker', 'name of the only check of progress', live='yes'
+    )
+    goal_topics: bool = parameter(
+        True, 'heed goal_pose and plan; false: only follow_path gives goals', live='inactive'
+    )
     max_agents: int = parameter(
         20, 'only the nearest so many agents count', '', (1, 1000), live='yes'
     )

@@ -136,6 +136,47 @@ PROGRESS = {
         'another node publishes `cmd_vel`', 'cmd_vel has other publishers', DRIVES
     ),
 }  # fmt: skip
+PATHS = {
+    'path cancelled': Fault('the client cancels', 'NONE: cancelled', within=TICK),
+    'path replaced': Fault(
+        'a newer path comes', 'NONE: a newer path has come', 'follows it without a stop'
+    ),
+    'path empty': Fault('the path is empty', 'INVALID_PATH: path: empty'),
+    'path nan': Fault('a place of it is NaN', 'INVALID_PATH: path: position with NaN'),
+    'path mixed': Fault(
+        'its poses are in different frames', 'INVALID_PATH: path: a pose in another frame'
+    ),
+    'path elsewhere': Fault(
+        'it is in a frame that nobody knows', "TF_ERROR: goal_pose: in frame 'map'"
+    ),
+    'controller unknown': Fault(
+        '`controller_id` is another one', "INVALID_CONTROLLER: there is no 'DWB' here"
+    ),
+    'checker unknown': Fault(
+        '`goal_checker_id` or `progress_checker_id` is another one', 'UNKNOWN: there is no'
+    ),
+    'path held': Fault(
+        'the robot does not move for `progress_timeout`',
+        'FAILED_TO_MAKE_PROGRESS: no progress: moved less than',
+    ),
+    'path without odom': Fault(
+        'odometry stops for `input_timeout` and `failure_tolerance`',
+        'CONTROLLER_TIMED_OUT: odom older than',
+    ),
+    'path with nan': Fault(
+        'an input is NaN for `failure_tolerance`', 'PATIENCE_EXCEEDED: pedestrians: position'
+    ),
+    'path with nan at once': Fault(
+        'the same, `failure_tolerance` 0', 'NO_VALID_CONTROL: pedestrians: position'
+    ),
+    'goal cancelled': Fault('`~/cancel_goal` is called', 'UNKNOWN: the goal was cancelled'),
+    'path and goal_pose': Fault(
+        '`goal_pose` or `plan` comes meanwhile',
+        'ignored: goal_pose: a path of follow_path is being followed', 'follows the path',
+    ),
+    'path deactivated': Fault('`deactivate`', 'UNKNOWN: the node was deactivated'),
+    'path too early': Fault('the node is not active', 'the path is not accepted', 'is silent'),
+}  # fmt: skip
 LIFE = {
     'deactivated': Fault('`deactivate`', 'inactive', 'zero command, then silence'),
     'signal': Fault(
@@ -166,6 +207,7 @@ SECTIONS = {
     'Inputs': INPUTS,
     'Clocks and decisions': CLOCKS,
     'Progress and the base': PROGRESS,
+    'Paths of nav2 (`follow_path`)': PATHS,
     'Life cycle, processes and parameters': LIFE,
     'The simulated base': BASE,
 }

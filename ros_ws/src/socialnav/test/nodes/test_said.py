@@ -16,6 +16,7 @@ from std_msgs.msg import String
 
 from socialnav import qos
 from socialnav.control.progress import ASTRAY, HELD, STANDS
+from socialnav.demo.children import command_line
 
 QUICK = {'progress_timeout': 1.0, 'progress_stop_timeout': 2.0}
 MISSING = {
@@ -183,3 +184,18 @@ def test_what_the_robot_drives_without_is_said_at_the_start(graph):
     graph.spin(1.0)
     graph.kill(process, signal.SIGTERM)
     assert FAULTS['nothing stands'].said in process.communicate()[1]
+
+
+def test_a_log_that_tells_everything_tells_of_standing_and_of_driving(graph):
+    drive, state = Drive(graph), random_state(0)
+    command = command_line('policy_node', {'model': 'straight_line'})
+    process = graph.run([*command, '--log-level', 'info'])  # the level of a node as it is
+    drive.robot.wait()
+    drive.until(False, 'no goal_pose', state, 'no goal', without=['goal_pose'])
+    drive.moves(state)
+    for _ in range(30):  # longer than the pause between two lines
+        drive.robot.publish(state)
+        graph.spin(0.05)
+    drive.until(False, 'from the future', state, 'the clock', shift=5.0)
+    lines = log_of(drive, process)
+    assert 'standing: no goal_pose' in lines and ': driving' in lines

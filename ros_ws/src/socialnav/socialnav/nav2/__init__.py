@@ -1,0 +1,1 @@
+"""What nav2 calls, and is told, where its packages are installed."""
