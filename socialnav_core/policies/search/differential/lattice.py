@@ -23,6 +23,7 @@ class Lattice(NamedTuple):
     cells: np.ndarray  # sides of the cells of each layer, s at preferred speed, (layers,)
     contact: np.ndarray  # cost of a certain contact in each layer, s, (layers,)
     intrusion: np.ndarray  # cost of certain discomfort in each layer, s, (layers,)
+    surprise: np.ndarray  # cost of somebody who cannot be evaded in each layer, s, (layers,)
     fine_layers: int  # layers in which half changes are tried too
     beam: int  # nodes of a layer that are followed
     slack: float  # s
@@ -73,12 +74,14 @@ def make_lattice(settings: SearchConfig, period: float) -> Lattice:
     durations = layer_durations(settings, period)
     starts = np.cumsum(durations) - durations
     ages, shares = np.maximum(starts - own.sure, 0.0) / RISK_LAYER, durations / RISK_LAYER
+    contact = settings.contact * settings.contact_discount**ages * shares
     return Lattice(
         durations=durations,
         lags=np.minimum(1.0, 0.5 * (1.0 + period / durations)),
         cells=np.where(starts < own.near - 1e-9, own.cell, own.far_cell),
-        contact=settings.contact * settings.contact_discount**ages * shares,
+        contact=contact,
         intrusion=settings.intrusion * settings.intrusion_discount**ages * durations,
+        surprise=contact * (own.surprises * RISK_LAYER),
         fine_layers=own.fine_layers,
         beam=own.beam,
         slack=own.slack,
