@@ -40,7 +40,7 @@ class DifferentialConfig:
     """Number of turn rates that cells tell apart, besides going straight."""
     sure: Annotated[float, Range(0, 30)] = 1.0
     """So far ahead risks count in full, s: a robot that drives cannot stop at once."""
-    surprises: Annotated[float, Range(0, 100)] = 0.2
+    surprises: Annotated[float, Range(0, 100)] = 0.1
     """How often somebody is taken to walk off in any direction, 1/s."""
     surprise_speed: Annotated[float, Range(0.001, 10)] = 1.0
     """How fast they would walk, m/s."""

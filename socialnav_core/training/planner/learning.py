@@ -17,7 +17,7 @@ from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config import Scenario, SearchConfig
 from socialnav_core.config.planner import PlannerConfig
 from socialnav_core.policies.search.checkpoint import save_planner
-from socialnav_core.policies.search.kinds import search_policy
+from socialnav_core.policies.search.kinds import search_policy, with_base
 from socialnav_core.policies.search.terminal import TerminalValue, Valuation
 from socialnav_core.progress import progress_bar
 from socialnav_core.simulation import Outcome
@@ -28,7 +28,7 @@ from socialnav_core.training.folder import finish_folder, own_folder
 from socialnav_core.training.interruption import Interruption, TrainingInterrupted
 from socialnav_core.training.planner.driving import COLLISIONS, Drive, drive, Examples, Preference
 from socialnav_core.training.planner.run import PlannerRun
-from socialnav_core.training.planner.worlds import draw_world, with_base
+from socialnav_core.training.planner.worlds import draw_world
 from socialnav_core.training.progress import CSV_NAME, open_csv
 from socialnav_core.training.randomness import generator, Purpose
 from socialnav_core.training.regression import update, value_loss

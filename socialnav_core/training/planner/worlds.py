@@ -1,11 +1,10 @@
 """Worlds of every kind for a planner to learn in."""
 
-import dataclasses
 import math
 
 import numpy as np
 
-from socialnav_core.config import make_scenario, Scenario, SearchConfig
+from socialnav_core.config import make_scenario, Scenario
 
 NAMED = ('crowd20', 'hard', 'packed-2.5', 'curriculum-2.5', 'simple')
 NAMED_SHARES = (0.5, 0.2, 0.1, 0.05, 0.15)
@@ -48,18 +47,4 @@ def random_world(generator: np.random.Generator) -> Scenario:
         goal_tolerance=float(generator.uniform(0.15, 0.5)),
         crowd='non_reactive' if generator.random() < NON_REACTIVE_SHARE else 'orca',
         time_limit=15.0 + 3.0 * half_width / speed,
-    )
-
-
-def with_base(scenario: Scenario, policy: SearchConfig) -> Scenario:
-    """Return a world with the base that a policy drives, a differential drive with its limits."""
-    if policy.kinematics == scenario.kinematics:
-        return scenario
-    base = policy.differential
-    return dataclasses.replace(
-        scenario,
-        kinematics=policy.kinematics,
-        robot_acceleration=base.acceleration,
-        robot_turn_rate=base.turn_rate,
-        robot_angular_acceleration=base.angular_acceleration,
     )

@@ -81,7 +81,7 @@ def make_lattice(settings: SearchConfig, period: float) -> Lattice:
         cells=np.where(starts < own.near - 1e-9, own.cell, own.far_cell),
         contact=contact,
         intrusion=settings.intrusion * settings.intrusion_discount**ages * durations,
-        surprise=contact * (own.surprises * RISK_LAYER),
+        surprise=np.where(starts < own.near - 1e-9, contact * (own.surprises * RISK_LAYER), 0.0),
         fine_layers=own.fine_layers,
         beam=own.beam,
         slack=own.slack,

@@ -59,7 +59,7 @@ def plan_worlds(  # type: ignore[no-untyped-def]
             worlds, world, positions, deviations, weights, lattice, costs, space
         )
         if lattice.surprise[0] > 0.0:
-            widen_reach(people, space)
+            widen_reach(people, lattice, space)
         obstacles = gather_obstacles(worlds, world, lattice, costs, space)
         field, frame = fields.distance[max(0, slots[world])], frame_of(fields, slots[world])
         start_node(worlds, world, present, base, space)
@@ -75,9 +75,11 @@ def plan_worlds(  # type: ignore[no-untyped-def]
 
 
 @inlined
-def widen_reach(people, space):  # type: ignore[no-untyped-def]
+def widen_reach(people, lattice, space):  # type: ignore[no-untyped-def]
     """Let people count from as far away as they can surprise the robot."""
     for layer in range(space.spread.shape[0]):
+        if lattice.surprise[layer] == 0.0:
+            break
         for person in range(people):
             space.spread[layer, person, REACH] = max(
                 space.spread[layer, person, REACH], SURPRISE_REACH
