@@ -31,7 +31,7 @@ from socialnav_core.policies.search.search import LEAST_REMAINING
 def expand(  # type: ignore[no-untyped-def]
     trip, base, field, frame, layer, count, cut, arrival, active, obstacles, lattice, costs, table,
     space,
-):
+):  # fmt: skip
     """
     Fill the next layer from the nodes of one.
 
@@ -136,7 +136,7 @@ def expand(  # type: ignore[no-untyped-def]
                     total = add_surprises(
                         near, people, move_x, move_y, to_x_axis, to_y_axis, row, table, surprise,
                         total,
-                    )
+                    )  # fmt: skip
                     if total >= bound:
                         continue
                 if arrives:

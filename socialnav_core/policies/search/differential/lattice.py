@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from socialnav_core.config import SearchConfig
-from socialnav_core.policies.search.lattice import REACH, SHARE, WEIGHT
+from socialnav_core.policies.search.lattice import make_surroundings
 
 TURNS, SPEEDS = 7, 5
 """At most so many turn rates and speeds are tried from a node."""
@@ -107,7 +107,7 @@ def layer_durations(settings: SearchConfig, period: float) -> np.ndarray:
 
 def make_workspace(lattice: Lattice, agents: int, modes: int) -> Workspace:
     """Return memory for worlds of a number of agents, predicted in a number of modes."""
-    layers, people, discs = len(lattice.durations), max(1, agents * modes), max(1, agents)
+    layers = len(lattice.durations)
     nodes = (layers + 1, KEPT * lattice.beam + TURNS * SPEEDS + 1)
     places = 1 << (2 * nodes[1]).bit_length()  # half of the table stays empty
     return Workspace(
@@ -117,13 +117,5 @@ def make_workspace(lattice: Lattice, agents: int, modes: int) -> Workspace:
         occupant=np.full(places, -1),
         turns=np.zeros(TURNS),
         speeds=np.zeros(SPEEDS),
-        track=np.zeros((layers + 1, people, 2)),
-        spread=np.zeros((layers, people, REACH + 1)),
-        body=np.zeros((people, WEIGHT + 1)),
-        order=np.zeros(people, np.int64),
-        gaps=np.zeros(people),
-        active=np.zeros(people, np.int64),
-        near=np.zeros((people, SHARE + 1)),
-        discs=np.zeros((discs, 3)),
-        near_discs=np.zeros((discs, 3)),
+        **make_surroundings(layers, agents, modes),
     )

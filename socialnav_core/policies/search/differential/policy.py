@@ -140,7 +140,8 @@ class DifferentialSearchPolicy:
         totals = candidates.totals + self.settings.value_weight * costs
         worlds = np.flatnonzero(used.any(axis=1))
         best = np.where(used, totals, np.inf)[worlds].argmin(axis=1)
-        plan[worlds], commands[worlds] = candidates.plans[worlds, best], ends.commands[worlds, best]
+        plan[worlds] = candidates.plans[worlds, best]
+        commands[worlds] = ends.commands[worlds, best]
         self.expected_cost[worlds] = totals[worlds, best]
 
     def ways_on(self, state: CrowdState, positions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

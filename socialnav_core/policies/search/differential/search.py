@@ -27,7 +27,7 @@ from socialnav_core.policies.search.fields import frame_of
 from socialnav_core.policies.search.lattice import REACH
 from socialnav_core.policies.search.nearness import choose_active
 from socialnav_core.policies.search.scene import gather_obstacles, gather_people
-from socialnav_core.policies.search.search import arrival_distance, Trip, write_plan
+from socialnav_core.policies.search.search import trip_of, write_plan
 
 BINS = 64
 """Totals are counted in so many bins between the best and the slack, to find the beam's end."""
@@ -107,12 +107,7 @@ def search(  # type: ignore[no-untyped-def]
     Return the layer and number of the node to head for, and how many nodes the last layer has; 0
     where the robot is to arrive or has no way.
     """
-    trip = Trip(
-        worlds.position[world, 0], worlds.position[world, 1],
-        worlds.goal[world, 0], worlds.goal[world, 1],
-        arrival_distance(worlds, world, costs), worlds.speed[world],
-        worlds.bounds[world] - worlds.radius[world] - costs.obstacle_margin,
-    )  # fmt: skip
+    trip = trip_of(worlds, world, costs)
     arrival_node = space.nodes.shape[1] - 1
     count, cut, arrival, arrival_layer = 1, math.inf, math.inf, 0
     driven, node = 0.0, 0

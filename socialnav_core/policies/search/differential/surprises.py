@@ -2,8 +2,8 @@
 How likely it is that nothing helps once somebody walks off anew.
 
 People turn and start within a step, and a base with inertia needs time to get out of their way.
-Where one person stands, seen from the robot, and how fast it drives decide what it still can do: so
-this is tabulated once for a base, and the search only looks it up.
+Where one person stands, seen from the robot, and how fast it drives decide what it still can do:
+so this is tabulated once for a base, and the search only looks it up.
 """
 
 import math

@@ -35,7 +35,9 @@ class Sideways:
 
 @pytest.fixture
 def state():
-    return facing(agents=discs((5.0, 0.4, 0.3), velocity=[(-0.5, 0.0)]), goal=(9.0, 0.0), speed=0.5)
+    return facing(
+        agents=discs((5.0, 0.4, 0.3), velocity=[(-0.5, 0.0)]), goal=(9.0, 0.0), speed=0.5
+    )
 
 
 def test_a_value_that_knows_nothing_changes_nothing(state):

@@ -59,7 +59,9 @@ def test_it_keeps_farther_from_whoever_may_walk_off():
     nearest = []
     for surprises in (0.0, 2.0):
         own = DifferentialConfig(surprises=surprises)
-        policy = DifferentialSearchPolicy(SearchConfig(kinematics='differential', differential=own))
+        policy = DifferentialSearchPolicy(
+            SearchConfig(kinematics='differential', differential=own)
+        )
         states, _ = drive(policy, state)
         assert distance_to_goal(states[-1]) < 0.3
         nearest.append(min(gaps(each).min() for each in states))
