@@ -16,8 +16,10 @@ from socialnav_core import __version__, cli
 from socialnav_core.commands import arguments, files, render
 from socialnav_core.commands.arguments import one_line
 from socialnav_core.commands.models import headline
-from socialnav_core.config import Config, PolicyConfig
+from socialnav_core.config import Config, PolicyConfig, SearchConfig
+from socialnav_core.config.planner import PlannerConfig
 from socialnav_core.policies import build_network
+from socialnav_core.policies.search.checkpoint import save_planner
 from socialnav_core.policies.value import checkpoint as checkpoints
 from socialnav_core.policies.value.checkpoint import save_weights
 from socialnav_core.simulation import make_scenario
@@ -191,6 +193,16 @@ def test_the_search_drives_the_robot_that_the_scenario_has(capsys):
     settings = ('scenario.kinematics=differential', 'scenario.robot_acceleration=1')
     assert run('evaluate', 'search', *QUICK, '--set', *settings) == 0
     assert 'search' in capsys.readouterr().out
+
+
+def test_a_planner_for_a_differential_drive_brings_its_base_into_the_world(tmp_path, capsys):
+    search = SearchConfig(kinematics='differential', horizon=1.0)
+    save_planner(tmp_path, build_network(PolicyConfig()), PlannerConfig('turning', policy=search))
+    assert run('evaluate', tmp_path, *QUICK) == 0
+    said = capsys.readouterr().out
+    assert 'kinematics=differential' in said and 'robot_turn_rate=1.5' in said
+    assert run('evaluate', tmp_path, *QUICK, '--set', 'scenario.kinematics=holonomic') == 2
+    assert 'set scenario.kinematics=differential' in capsys.readouterr().err
 
 
 def test_evaluate_writes_every_figure_and_case(tmp_path):

@@ -46,6 +46,20 @@ def chosen_scenario(given: argparse.Namespace) -> Scenario:
     return replace(scenario, settings, 'scenario')
 
 
+def suited_to_policy(scenario: Scenario, policy: 'Policy', given: argparse.Namespace) -> Scenario:
+    """
+    Return the scenario with the base that a planner drives, with the limits of its settings.
+
+    A scenario of a file, and one whose kinematics were chosen, stays as it is.
+    """
+    from socialnav_core.policies.search.kinds import AnySearchPolicy, with_base
+
+    chosen = is_file(given.scenario) or 'kinematics' in chosen_settings(given)['scenario']
+    if chosen or not isinstance(policy, AnySearchPolicy):
+        return scenario
+    return with_base(scenario, policy.settings)
+
+
 def is_file(scenario: str) -> bool:
     """Return whether a scenario was asked for by a file, and not by a name."""
     named = RECORDED_NAME.fullmatch(scenario) is not None

@@ -18,6 +18,7 @@ from socialnav_core.commands.choices import (
     chosen_overrides,
     chosen_scenario,
     open_policy,
+    suited_to_policy,
     use_threads,
 )
 from socialnav_core.commands.files import require_new, require_own, write_json
@@ -102,6 +103,7 @@ def run(given: argparse.Namespace) -> None:
     scenario = chosen_scenario(given)
     card = open_card(given) if given.card else None
     policy = card.policy(given) if card else open_policy(given.model, given)
+    scenario = suited_to_policy(scenario, policy, given)
     if card and not given.overwrite:
         card.require_no_better(policy.description, scenario, given)
     result = measure(given.model, policy, scenario, given)

@@ -18,6 +18,7 @@ from socialnav_core.commands.choices import (
     is_file,
     open_policy,
     require_no_observation,
+    suited_to_policy,
     use_threads,
 )
 from socialnav_core.commands.files import require_new
@@ -72,6 +73,7 @@ def run(given: argparse.Namespace) -> None:
     require_no_observation(given)
     scenario = chosen_scenario(given)
     policy = rendered_policy(given, scenario)
+    scenario = suited_to_policy(scenario, policy, given)
     recording = record(policy, scenario, given.seed, given.case, given.split, name)
     look_ahead = f', look-ahead {recording.look_ahead}' if recording.look_ahead else ''
     changes = changes_of(scenario)

@@ -40,6 +40,10 @@ class DifferentialConfig:
     """Number of turn rates that cells tell apart, besides going straight."""
     sure: Annotated[float, Range(0, 30)] = 1.0
     """So far ahead risks count in full, s: a robot that drives cannot stop at once."""
+    surprises: Annotated[float, Range(0, 100)] = 0.1
+    """How often somebody is taken to walk off in any direction, 1/s."""
+    surprise_speed: Annotated[float, Range(0.001, 10)] = 1.0
+    """How fast they would walk, m/s."""
     steering: Annotated[float, Range(0, 100)] = 0.1
     """Cost of a change of the turn rate by the largest one, s."""
     turn_loss: Annotated[float, Range(0, 100)] = 1.0

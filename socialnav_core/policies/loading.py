@@ -15,13 +15,13 @@ from socialnav_core.policies.mppi import MppiConfig, MppiPolicy
 from socialnav_core.policies.orca import OrcaPolicy
 from socialnav_core.policies.protocol import Policy
 from socialnav_core.policies.search.checkpoint import load_planner, PLANNER, Planner
-from socialnav_core.policies.search.kinds import search_policy
-from socialnav_core.policies.search.search_policy import SearchPolicy
+from socialnav_core.policies.search.kinds import AnySearchPolicy, search_policy
 from socialnav_core.policies.search.terminal import TerminalValue
 from socialnav_core.policies.social_force import SocialForcePolicy
 from socialnav_core.policies.straight_line import StraightLinePolicy
 from socialnav_core.policies.value.checkpoint import Checkpoint, load_checkpoint, WEIGHTS
 from socialnav_core.policies.value.lookahead import ValuePolicy
+from socialnav_core.simulation.kinematics import kinematics_of
 
 
 @dataclasses.dataclass(frozen=True)
@@ -92,14 +92,17 @@ def policy_of(
 
 def planner_policy(
     model: str | Path, planner: Planner, overrides: Mapping[str, Any]
-) -> SearchPolicy:
+) -> AnySearchPolicy:
     """
     Return the policy of the checkpoint of a planner; see `load_policy`.
 
     :param model: its name, for messages.
     """
-    settings = replace(planner.config.policy, wanted_settings(model, overrides), 'policy')
-    return SearchPolicy(settings, value=TerminalValue(planner.network), name=planner.config.name)
+    wanted = wanted_settings(model, overrides)
+    require('kinematics' not in wanted, f'policy.kinematics was fixed when {model} was trained')
+    settings = replace(planner.config.policy, wanted, 'policy')
+    value = TerminalValue(planner.network, kinematics_of(settings.kinematics))
+    return search_policy(settings, value, planner.config.name)
 
 
 def value_policy(

@@ -6,7 +6,10 @@ import numpy as np
 
 from socialnav_core.compilation import compiled, inlined
 from socialnav_core.policies.search.fields import frame_of, way_down
-from socialnav_core.policies.search.lattice import TOTAL, X, Y
+from socialnav_core.policies.search.lattice import X, Y
+
+TOTAL = -1
+"""The last column of nodes, in the search for either kind of robot."""
 
 
 class Candidates(NamedTuple):

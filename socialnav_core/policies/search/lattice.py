@@ -68,20 +68,28 @@ def make_lattice(settings: SearchConfig) -> Lattice:
 
 def make_workspace(lattice: Lattice, agents: int, modes: int) -> Workspace:
     """Return memory for worlds of a number of agents, predicted in a number of modes."""
-    layers, people, discs = len(lattice.durations), max(1, agents * modes), max(1, agents)
+    layers = len(lattice.durations)
     nodes = (layers + 1, lattice.width**2 + 1)
     return Workspace(
         nodes=np.zeros((*nodes, TOTAL + 1)),
         parent=np.zeros(nodes, np.int64),
         occupant=np.zeros(lattice.width**2, np.int64),
         moves=np.zeros_like(lattice.actions),
-        track=np.zeros((layers + 1, people, 2)),
-        spread=np.zeros((layers, people, REACH + 1)),
-        body=np.zeros((people, WEIGHT + 1)),
-        order=np.zeros(people, np.int64),
-        gaps=np.zeros(people),
-        active=np.zeros(people, np.int64),
-        near=np.zeros((people, SHARE + 1)),
-        discs=np.zeros((discs, 3)),
-        near_discs=np.zeros((discs, 3)),
+        **make_surroundings(layers, agents, modes),
     )
+
+
+def make_surroundings(layers: int, agents: int, modes: int) -> dict[str, np.ndarray]:
+    """Return the part of a workspace, by name, that has to do with people and obstacles."""
+    people, discs = max(1, agents * modes), max(1, agents)
+    return {
+        'track': np.zeros((layers + 1, people, 2)),
+        'spread': np.zeros((layers, people, REACH + 1)),
+        'body': np.zeros((people, WEIGHT + 1)),
+        'order': np.zeros(people, np.int64),
+        'gaps': np.zeros(people),
+        'active': np.zeros(people, np.int64),
+        'near': np.zeros((people, SHARE + 1)),
+        'discs': np.zeros((discs, 3)),
+        'near_discs': np.zeros((discs, 3)),
+    }

@@ -43,6 +43,17 @@ class Trip(NamedTuple):
     limit: float  # largest coordinate of the centre within the walls, m
 
 
+@inlined
+def trip_of(worlds, world, costs):  # type: ignore[no-untyped-def]
+    """Return the trip of a world's robot."""
+    return Trip(
+        worlds.position[world, 0], worlds.position[world, 1],
+        worlds.goal[world, 0], worlds.goal[world, 1],
+        arrival_distance(worlds, world, costs), worlds.speed[world],
+        worlds.bounds[world] - worlds.radius[world] - costs.obstacle_margin,
+    )  # fmt: skip
+
+
 @compiled
 def plan_worlds(  # type: ignore[no-untyped-def]
     worlds, slots, fields, positions, deviations, weights, lattice, costs, space, candidate_slack,
@@ -96,12 +107,7 @@ def search(worlds, world, field, frame, people, obstacles, lattice, costs, space
     Return the layer and number of the node to head for, and how many nodes the last layer has; 0
     where the robot is to arrive.
     """
-    trip = Trip(
-        worlds.position[world, 0], worlds.position[world, 1],
-        worlds.goal[world, 0], worlds.goal[world, 1],
-        arrival_distance(worlds, world, costs), worlds.speed[world],
-        worlds.bounds[world] - worlds.radius[world] - costs.obstacle_margin,
-    )  # fmt: skip
+    trip = trip_of(worlds, world, costs)
     arrival_node = space.nodes.shape[1] - 1
     count, best, arrival, arrival_layer = 1, 0.0, math.inf, 0
     driven, node = 0.0, 0

@@ -7,7 +7,7 @@ import numpy as np
 from socialnav_core.config import ConfigError, SearchConfig
 from socialnav_core.finiteness import require_finite
 from socialnav_core.policies.protocol import PolicyDescription
-from socialnav_core.policies.search.candidates import Candidates, make_candidates, ways_on
+from socialnav_core.policies.search.candidates import Candidates, make_candidates
 from socialnav_core.policies.search.costs import Costs
 from socialnav_core.policies.search.fields import GeodesicCache
 from socialnav_core.policies.search.lattice import make_lattice, make_workspace
@@ -17,6 +17,7 @@ from socialnav_core.policies.search.search import (
     plan_worlds,
 )
 from socialnav_core.policies.search.terminal import Horizon, Valuation
+from socialnav_core.policies.search.ways import ways_from
 from socialnav_core.policies.search.worlds import worlds_of
 from socialnav_core.prediction import make_predictor, Prediction, Predictor
 from socialnav_core.simulation.kinematics import Limits
@@ -81,10 +82,15 @@ class SearchPolicy:
         """Return how long the last layer lasts, s."""
         return float(self._lattice.durations[-1])
 
-    def time_to_go(self, distance: np.ndarray, speed: np.ndarray) -> np.ndarray:
-        """Return the time that the search reckons for some distances at preferred speeds, s."""
-        remaining = distance - ARRIVAL_SHARE * self.settings.goal_tolerance
-        return np.maximum(remaining, LEAST_REMAINING) / speed
+    def time_left(self, state: CrowdState, limits: Limits | None = None) -> np.ndarray:
+        """
+        Return the time that the search reckons for the ways to the goals, s, (batch,).
+
+        :param limits: not used: the search has no inertia.
+        """
+        distance, _ = self.ways_on(state, state.robot.position[:, None])
+        remaining = distance[:, 0] - ARRIVAL_SHARE * self.settings.goal_tolerance
+        return np.maximum(remaining, LEAST_REMAINING) / state.robot.preferred_speed
 
     @property
     def times(self) -> np.ndarray:
@@ -133,11 +139,7 @@ class SearchPolicy:
         :param positions: from where, m, (batch, positions, 2).
         :returns: m, (batch, positions), and m, (batch, positions, 2).
         """
-        worlds = worlds_of(state)
-        distances, subgoals = np.zeros(positions.shape[:2]), np.zeros(positions.shape)
-        slots = self._geodesics.slots_of(worlds)
-        ways_on(worlds, slots, self._geodesics.fields, positions, distances, subgoals)
-        return distances, subgoals
+        return ways_from(self._geodesics, state, positions)
 
     def _choose(
         self,

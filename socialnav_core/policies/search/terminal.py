@@ -7,10 +7,13 @@ import numpy as np
 from torch import nn
 
 from socialnav_core.policies.value.inference import ValueInference
-from socialnav_core.policies.value.observation import observe
+from socialnav_core.policies.value.observation import HOLONOMIC, observe
 from socialnav_core.prediction import Prediction
+from socialnav_core.simulation.kinematics import DifferentialDrive, Kinematics
+from socialnav_core.simulation.kinematics.angles import direction
 from socialnav_core.states import CrowdState, Observation
 
+DIFFERENTIAL = DifferentialDrive()
 AGENTS = 20
 """The network sees the nearest so many people and obstacles."""
 
@@ -31,6 +34,10 @@ class Horizon:
     """Goals in sight from there, as far as the way to the goal, m, (batch, candidates, 2)."""
     used: np.ndarray
     """Which candidates there are, bool, (batch, candidates)."""
+    headings: np.ndarray | None = None
+    """Where the robot looks then, rad, (batch, candidates); None for one that looks nowhere."""
+    speeds: np.ndarray | None = None
+    """How fast it drives there, m/s, (batch, candidates); None where it may stand as well."""
 
 
 class Valuation(Protocol):
@@ -48,9 +55,14 @@ class Valuation(Protocol):
 class TerminalValue:
     """Tells what each candidate of a search costs beyond its way to the goal."""
 
-    def __init__(self, network: nn.Module) -> None:
-        """Keep a value network whose value is such a cost, s."""
+    def __init__(self, network: nn.Module, kinematics: Kinematics = HOLONOMIC) -> None:
+        """
+        Keep a value network whose value is such a cost, s.
+
+        :param kinematics: of the robot that it sees.
+        """
         self.network = network
+        self._kinematics = kinematics
         self._inference = ValueInference(network)
 
     def costs(self, horizon: Horizon) -> np.ndarray:
@@ -63,7 +75,7 @@ class TerminalValue:
 
     def attention(self, state: CrowdState) -> np.ndarray:
         """Return how much the network looks at each agent of a state, (batch, agents)."""
-        return self._inference.attention(observe(state))
+        return self._inference.attention(observe(state, self._kinematics))
 
 
 def observe_horizon(horizon: Horizon) -> Observation:
@@ -72,7 +84,10 @@ def observe_horizon(horizon: Horizon) -> Observation:
     positions = horizon.positions[worlds, places]
     subgoals = horizon.subgoals[worlds, places]
     expected = expected_state(horizon.state, horizon.prediction, horizon.last_layer)
-    return observe_robots(expected.select(worlds), positions, subgoals)
+    if horizon.headings is None or horizon.speeds is None:
+        return observe_robots(expected.select(worlds), positions, subgoals)
+    headings, speeds = horizon.headings[worlds, places], horizon.speeds[worlds, places]
+    return observe_drives(expected.select(worlds), positions, subgoals, headings, speeds)
 
 
 def observe_robots(state: CrowdState, positions: np.ndarray, goals: np.ndarray) -> Observation:
@@ -85,6 +100,26 @@ def observe_robots(state: CrowdState, positions: np.ndarray, goals: np.ndarray) 
     standing = np.zeros_like(positions)
     placed = state.with_robot(position=positions, velocity=standing, goal=goals)
     return observe(placed.nearest(AGENTS))
+
+
+def observe_drives(
+    state: CrowdState,
+    positions: np.ndarray,
+    goals: np.ndarray,
+    headings: np.ndarray,
+    speeds: np.ndarray,
+) -> Observation:
+    """
+    Return the same of differential drives, for which it matters where they look and drive.
+
+    :param headings: rad, (batch,).
+    :param speeds: m/s, (batch,).
+    """
+    placed = state.with_robot(
+        position=positions, velocity=speeds[:, None] * direction(headings), goal=goals,
+        heading=headings,
+    )  # fmt: skip
+    return observe(placed.nearest(AGENTS), DIFFERENTIAL)
 
 
 def expected_state(state: CrowdState, prediction: Prediction, last_layer: float) -> CrowdState:

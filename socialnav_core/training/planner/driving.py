@@ -8,15 +8,17 @@ import numpy as np
 
 from socialnav_core.config import Scenario
 from socialnav_core.config.planner import PlannerTrainingConfig
-from socialnav_core.policies.search.search_policy import SearchPolicy
+from socialnav_core.policies.search.kinds import AnySearchPolicy
 from socialnav_core.policies.search.terminal import (
     AGENTS,
     expected_state,
     Horizon,
+    observe_drives,
     observe_robots,
     Valuation,
 )
 from socialnav_core.simulation import Outcome, Simulator
+from socialnav_core.simulation.kinematics import DifferentialDrive, Limits, limits_of
 from socialnav_core.states import CrowdState, Observation
 
 COLLISIONS = (Outcome.COLLISION_PEDESTRIAN, Outcome.COLLISION_OBSTACLE, Outcome.OUT_OF_BOUNDS)
@@ -88,7 +90,7 @@ class Preference:
 
 
 def drive(
-    policy: SearchPolicy,
+    policy: AnySearchPolicy,
     scenario: Scenario,
     cases: np.ndarray,
     seed: int,
@@ -106,7 +108,8 @@ def drive(
     simulator = Simulator(scenario, len(cases), autoreset='disabled')
     state = simulator.reset(seed, split, cases)
     policy.reset()
-    least = remaining_time(policy, state)
+    limits = limits_of(scenario)
+    least = policy.time_left(state, limits)
     ahead = max(1, round(policy.times[-1] / scenario.time_step))
     expected: collections.deque = collections.deque(maxlen=ahead)
     seen: list[tuple[Observation, np.ndarray, np.ndarray, int]] = []
@@ -114,10 +117,10 @@ def drive(
     outcome, time = np.zeros(len(cases), np.int8), np.zeros(len(cases))
     intrusion = np.zeros(len(cases))
     while (active := simulator.active).any():
-        command = policy.act(state)
+        command = policy.act(state, limits)
         step = len(costs)
         if len(expected) == ahead and step % settings.stride == 0:
-            seen.append((*example(policy, state, expected[0], active), step))
+            seen.append((*example(policy, state, limits, expected[0], active), step))
         assert policy.prediction is not None
         agents = expected_state(state, policy.prediction, policy.last_layer).agents
         expected.append((agents.position, agents.velocity))
@@ -129,37 +132,35 @@ def drive(
         cost = scenario.time_step * (1.0 + settings.intrusion * close)
         collided = ended & np.isin(info['outcome'], COLLISIONS)
         if collided.any():  # the rest of the way is not saved but still to be driven
-            cost[collided] += settings.collision + remaining_time(policy, state)[collided]
+            cost[collided] += settings.collision + policy.time_left(state, limits)[collided]
         costs.append(cost * active)
     lost = np.sum(costs, axis=0) - least
     return Drive(examples_of(seen, costs, outcome, settings), outcome, time, intrusion, lost)
 
 
-def remaining_time(policy: SearchPolicy, state: CrowdState) -> np.ndarray:
-    """Return the time that the ways to the goals take where nobody is in them, s, (batch,)."""
-    robot = state.robot
-    distance, _ = policy.ways_on(state, robot.position[:, None])
-    return policy.time_to_go(distance[:, 0], robot.preferred_speed)
-
-
 def example(
-    policy: SearchPolicy,
+    policy: AnySearchPolicy,
     state: CrowdState,
+    limits: Limits | None,
     expected: tuple[np.ndarray, np.ndarray],
     active: np.ndarray,
 ) -> tuple[Observation, np.ndarray, np.ndarray]:
     """
     Return what the network sees of the active worlds, how far they are in time, and which.
 
+    :param limits: of the robot; see `Policy.act`.
     :param expected: position and velocity of the agents, as they were predicted.
     """
-    robot = state.robot
-    distance, subgoal = policy.ways_on(state, robot.position[:, None])
-    placed = state.with_agents(position=expected[0], velocity=expected[1])
+    _, subgoals = policy.ways_on(state, state.robot.position[:, None])
     worlds = np.flatnonzero(active)
-    observation = observe_robots(placed.select(worlds), robot.position[worlds], subgoal[worlds, 0])
-    remaining = policy.time_to_go(distance[:, 0], robot.preferred_speed)
-    return padded(observation), remaining[worlds], worlds
+    placed = state.with_agents(position=expected[0], velocity=expected[1]).select(worlds)
+    robot, goals = placed.robot, subgoals[worlds, 0]
+    if policy.kinematics == 'holonomic':
+        observation = observe_robots(placed, robot.position, goals)
+    else:
+        speeds = DifferentialDrive().present_command(robot)[:, 0]
+        observation = observe_drives(placed, robot.position, goals, robot.heading, speeds)
+    return padded(observation), policy.time_left(state, limits)[worlds], worlds
 
 
 def padded(seen: Observation) -> Observation:

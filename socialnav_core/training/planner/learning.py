@@ -17,10 +17,11 @@ from socialnav_core.allocator import keep_freed_memory
 from socialnav_core.config import Scenario, SearchConfig
 from socialnav_core.config.planner import PlannerConfig
 from socialnav_core.policies.search.checkpoint import save_planner
-from socialnav_core.policies.search.search_policy import SearchPolicy
+from socialnav_core.policies.search.kinds import search_policy, with_base
 from socialnav_core.policies.search.terminal import TerminalValue, Valuation
 from socialnav_core.progress import progress_bar
 from socialnav_core.simulation import Outcome
+from socialnav_core.simulation.kinematics import kinematics_of
 from socialnav_core.simulation.layout import PackingError
 from socialnav_core.threads import chosen_threads
 from socialnav_core.training.folder import finish_folder, own_folder
@@ -108,7 +109,7 @@ def iterate(run: PlannerRun, count: Callable[[], None]) -> dict[str, float]:
     """Drive, learn and measure once; return the numbers to report."""
     started, used = time.perf_counter(), time.process_time()
     settings = run.config.training
-    value = TerminalValue(run.network) if run.rounds else None
+    value = terminal_value(run) if run.rounds else None
     drives = []
     for group in range(settings.groups):
         number = run.rounds * settings.groups + group
@@ -118,7 +119,7 @@ def iterate(run: PlannerRun, count: Callable[[], None]) -> dict[str, float]:
         count()
     run.examples += [part.examples for part in drives]
     loss = fit(run)
-    learned = measure(run.config, TerminalValue(run.network), count)
+    learned = measure(run.config, terminal_value(run), count)
     if math.isnan(run.cost_without):
         run.cost_without = measure(run.config, None, lambda: None)['cost']
     run.keep_best(learned['cost'])
@@ -134,6 +135,11 @@ def iterate(run: PlannerRun, count: Callable[[], None]) -> dict[str, float]:
         'seconds': run.seconds,
         'processor_seconds': run.processor_seconds,
     }
+
+
+def terminal_value(run: PlannerRun) -> TerminalValue:
+    """Return the network of a run as the search asks it."""
+    return TerminalValue(run.network, kinematics_of(run.config.policy.kinematics))
 
 
 def drive_somewhere(
@@ -153,8 +159,8 @@ def drive_somewhere(
     cases = np.arange(settings.episodes) + number * settings.episodes
 
     def attempt() -> Drive:
-        scenario = draw_world(settings.named_share, draws)
-        policy = SearchPolicy(fitting(config, scenario), value=value)
+        scenario = with_base(draw_world(settings.named_share, draws), config.policy)
+        policy = search_policy(fitting(config, scenario), value)
         return drive(policy, scenario, cases, config.seed, split, settings)
 
     for _ in range(ATTEMPTS - 1):

@@ -52,11 +52,19 @@ def description(config: PlannerConfig, parameters: int, digest: str) -> str:
     :param parameters: number of weights.
     """
     policy = config.policy
+    base = policy.differential
+    drives = (
+        ''
+        if policy.kinematics == 'holonomic'
+        else f' It drives a differential drive of {base.acceleration:g} m/s2, {base.turn_rate:g} '
+        f'rad/s and {base.angular_acceleration:g} rad/s2 where nobody hands other limits over, '
+        f'backwards at up to {base.reverse:g} of the preferred speed.'
+    )
     return (
         f'Search in space and time over {policy.horizon:g} s with a value network at its horizon: '
         f'{NETWORKS[config.network]}, {parameters:,} parameters. People are predicted by '
         f'`{policy.lookahead}`. The network tells what each way on will cost beyond the distance '
-        f'to the goal; the cheapest one in all is taken.\n\n'
+        f'to the goal; the cheapest one in all is taken.{drives}\n\n'
         f'SHA-256 of the weights: `{digest}`'
     )
 

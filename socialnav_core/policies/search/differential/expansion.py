@@ -21,6 +21,7 @@ from socialnav_core.policies.search.differential.remaining import (
     driving_time,
     turning_time,
 )
+from socialnav_core.policies.search.differential.surprises import add_surprises, SPEEDS
 from socialnav_core.policies.search.fields import distance_at, slope, way_down
 from socialnav_core.policies.search.nearness import add_people, choose_near, choose_near_discs
 from socialnav_core.policies.search.search import LEAST_REMAINING
@@ -28,8 +29,9 @@ from socialnav_core.policies.search.search import LEAST_REMAINING
 
 @compiled
 def expand(  # type: ignore[no-untyped-def]
-    trip, base, field, frame, layer, count, cut, arrival, active, obstacles, lattice, costs, space
-):
+    trip, base, field, frame, layer, count, cut, arrival, active, obstacles, lattice, costs, table,
+    space,
+):  # fmt: skip
     """
     Fill the next layer from the nodes of one.
 
@@ -38,6 +40,7 @@ def expand(  # type: ignore[no-untyped-def]
 
     :param cut: nodes with a greater total are not followed.
     :param arrival: least total of an arrival so far.
+    :param table: of `unavoidable`.
     """
     nodes, following, parent = space.nodes[layer], space.nodes[layer + 1], space.parent[layer + 1]
     occupant, cells, turns, speeds = space.occupant, space.cells, space.turns, space.speeds
@@ -49,6 +52,8 @@ def expand(  # type: ignore[no-untyped-def]
     contact, intrusion = lattice.contact[layer], lattice.intrusion[layer]
     per_turn_rate = lattice.steering / base.turn_rate
     per_speed = costs.turning / trip.speed
+    surprise, backwards = lattice.surprise[layer], base.reverse * trip.speed
+    rows = SPEEDS / (trip.speed + backwards)
     occupant[:] = -1
     filled, least, reached = 0, math.inf, math.inf
     for node in range(count):
@@ -126,6 +131,14 @@ def expand(  # type: ignore[no-untyped-def]
                 )
                 if total >= bound:
                     continue
+                if surprise > 0.0:
+                    row = int(min(max((to_speed + backwards) * rows, 0.0), SPEEDS) + 0.5)
+                    total = add_surprises(
+                        near, people, move_x, move_y, to_x_axis, to_y_axis, row, table, surprise,
+                        total,
+                    )  # fmt: skip
+                    if total >= bound:
+                        continue
                 if arrives:
                     reached, target = total, arrival_node
                 else:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from socialnav_core.config import SearchConfig
-from socialnav_core.policies.search.lattice import REACH, SHARE, WEIGHT
+from socialnav_core.policies.search.lattice import make_surroundings
 
 TURNS, SPEEDS = 7, 5
 """At most so many turn rates and speeds are tried from a node."""
@@ -23,6 +23,7 @@ class Lattice(NamedTuple):
     cells: np.ndarray  # sides of the cells of each layer, s at preferred speed, (layers,)
     contact: np.ndarray  # cost of a certain contact in each layer, s, (layers,)
     intrusion: np.ndarray  # cost of certain discomfort in each layer, s, (layers,)
+    surprise: np.ndarray  # cost of somebody who cannot be evaded in each layer, s, (layers,)
     fine_layers: int  # layers in which half changes are tried too
     beam: int  # nodes of a layer that are followed
     slack: float  # s
@@ -73,12 +74,14 @@ def make_lattice(settings: SearchConfig, period: float) -> Lattice:
     durations = layer_durations(settings, period)
     starts = np.cumsum(durations) - durations
     ages, shares = np.maximum(starts - own.sure, 0.0) / RISK_LAYER, durations / RISK_LAYER
+    contact = settings.contact * settings.contact_discount**ages * shares
     return Lattice(
         durations=durations,
         lags=np.minimum(1.0, 0.5 * (1.0 + period / durations)),
         cells=np.where(starts < own.near - 1e-9, own.cell, own.far_cell),
-        contact=settings.contact * settings.contact_discount**ages * shares,
+        contact=contact,
         intrusion=settings.intrusion * settings.intrusion_discount**ages * durations,
+        surprise=np.where(starts < own.near - 1e-9, contact * (own.surprises * RISK_LAYER), 0.0),
         fine_layers=own.fine_layers,
         beam=own.beam,
         slack=own.slack,
@@ -104,7 +107,7 @@ def layer_durations(settings: SearchConfig, period: float) -> np.ndarray:
 
 def make_workspace(lattice: Lattice, agents: int, modes: int) -> Workspace:
     """Return memory for worlds of a number of agents, predicted in a number of modes."""
-    layers, people, discs = len(lattice.durations), max(1, agents * modes), max(1, agents)
+    layers = len(lattice.durations)
     nodes = (layers + 1, KEPT * lattice.beam + TURNS * SPEEDS + 1)
     places = 1 << (2 * nodes[1]).bit_length()  # half of the table stays empty
     return Workspace(
@@ -114,13 +117,5 @@ def make_workspace(lattice: Lattice, agents: int, modes: int) -> Workspace:
         occupant=np.full(places, -1),
         turns=np.zeros(TURNS),
         speeds=np.zeros(SPEEDS),
-        track=np.zeros((layers + 1, people, 2)),
-        spread=np.zeros((layers, people, REACH + 1)),
-        body=np.zeros((people, WEIGHT + 1)),
-        order=np.zeros(people, np.int64),
-        gaps=np.zeros(people),
-        active=np.zeros(people, np.int64),
-        near=np.zeros((people, SHARE + 1)),
-        discs=np.zeros((discs, 3)),
-        near_discs=np.zeros((discs, 3)),
+        **make_surroundings(layers, agents, modes),
     )

@@ -10,6 +10,8 @@ import math
 import numpy as np
 
 from socialnav_core.compilation import compiled, inlined
+from socialnav_core.policies.search.candidates import write_candidates
+from socialnav_core.policies.search.differential.ends import write_ends
 from socialnav_core.policies.search.differential.expansion import expand
 from socialnav_core.policies.search.differential.lattice import (
     HEADING,
@@ -20,10 +22,12 @@ from socialnav_core.policies.search.differential.lattice import (
     X,
     Y,
 )
+from socialnav_core.policies.search.differential.surprises import REACH as SURPRISE_REACH
 from socialnav_core.policies.search.fields import frame_of
+from socialnav_core.policies.search.lattice import REACH
 from socialnav_core.policies.search.nearness import choose_active
 from socialnav_core.policies.search.scene import gather_obstacles, gather_people
-from socialnav_core.policies.search.search import arrival_distance, Trip, write_plan
+from socialnav_core.policies.search.search import trip_of, write_plan
 
 BINS = 64
 """Totals are counted in so many bins between the best and the slack, to find the beam's end."""
@@ -31,8 +35,8 @@ BINS = 64
 
 @compiled
 def plan_worlds(  # type: ignore[no-untyped-def]
-    worlds, present, base, slots, fields, positions, deviations, weights, lattice, costs, space,
-    commands, plans, totals,
+    worlds, present, base, slots, fields, positions, deviations, weights, lattice, costs, tables,
+    chosen, space, candidate_slack, candidates, ends, commands, plans, totals,
 ):  # fmt: skip
     """
     Plan in each world.
@@ -41,6 +45,11 @@ def plan_worlds(  # type: ignore[no-untyped-def]
 
     :param present: headings, speeds and turn rates, (batch, 3).
     :param slots: where the distances of each world are in the fields.
+    :param tables: of `unavoidable`, one for each speed of a robot.
+    :param chosen: which of them is that of a world, (batch,).
+    :param candidate_slack: how much worse than the best a candidate may be, s.
+    :param candidates: written where the robot does not arrive within the horizon.
+    :param ends: of the candidates.
     """
     for world in range(slots.size):
         if worlds.speed[world] <= 0.0:
@@ -49,15 +58,32 @@ def plan_worlds(  # type: ignore[no-untyped-def]
         people = gather_people(
             worlds, world, positions, deviations, weights, lattice, costs, space
         )
+        if lattice.surprise[0] > 0.0:
+            widen_reach(people, lattice, space)
         obstacles = gather_obstacles(worlds, world, lattice, costs, space)
         field, frame = fields.distance[max(0, slots[world])], frame_of(fields, slots[world])
         start_node(worlds, world, present, base, space)
-        layer, node = search(
-            worlds, world, base, field, frame, people, obstacles, lattice, costs, space
-        )
+        layer, node, count = search(
+            worlds, world, base, field, frame, people, obstacles, lattice, costs,
+            tables[chosen[world]], space,
+        )  # fmt: skip
         totals[world] = space.nodes[layer, node, TOTAL]
+        write_candidates(world, count, totals[world], candidate_slack, space, candidates)
+        write_ends(world, space, candidates, ends)
         write_plan(world, layer, node, space, plans)
         write_command(world, layer, node, base, lattice, space, commands)
+
+
+@inlined
+def widen_reach(people, lattice, space):  # type: ignore[no-untyped-def]
+    """Let people count from as far away as they can surprise the robot."""
+    for layer in range(space.spread.shape[0]):
+        if lattice.surprise[layer] == 0.0:
+            break
+        for person in range(people):
+            space.spread[layer, person, REACH] = max(
+                space.spread[layer, person, REACH], SURPRISE_REACH
+            )
 
 
 @inlined
@@ -72,14 +98,16 @@ def start_node(worlds, world, present, base, space):  # type: ignore[no-untyped-
 
 
 @compiled
-def search(worlds, world, base, field, frame, people, obstacles, lattice, costs, space):  # type: ignore[no-untyped-def]
-    """Fill the layers of a world; return the layer and number of the node to head for."""
-    trip = Trip(
-        worlds.position[world, 0], worlds.position[world, 1],
-        worlds.goal[world, 0], worlds.goal[world, 1],
-        arrival_distance(worlds, world, costs), worlds.speed[world],
-        worlds.bounds[world] - worlds.radius[world] - costs.obstacle_margin,
-    )  # fmt: skip
+def search(  # type: ignore[no-untyped-def]
+    worlds, world, base, field, frame, people, obstacles, lattice, costs, table, space
+):
+    """
+    Fill the layers of a world.
+
+    Return the layer and number of the node to head for, and how many nodes the last layer has; 0
+    where the robot is to arrive or has no way.
+    """
+    trip = trip_of(worlds, world, costs)
     arrival_node = space.nodes.shape[1] - 1
     count, cut, arrival, arrival_layer = 1, math.inf, math.inf, 0
     driven, node = 0.0, 0
@@ -87,21 +115,21 @@ def search(worlds, world, base, field, frame, people, obstacles, lattice, costs,
         active = choose_active(trip, layer, people, driven, lattice, space)
         filled, best, reached = expand(
             trip, base, field, frame, layer, count, cut, arrival, active, obstacles, lattice,
-            costs, space,
+            costs, table, space,
         )  # fmt: skip
         if reached < arrival:
             arrival, arrival_layer = reached, layer + 1
         if arrival <= best:
-            return arrival_layer, arrival_node
+            return arrival_layer, arrival_node, 0
         if filled == 0:
-            return layer, best_node(space.nodes[layer], count)
+            return layer, best_node(space.nodes[layer], count), 0
         count, cut = filled, beam_end(space.nodes[layer + 1], filled, best, lattice)
         driven += trip.speed * lattice.durations[layer]
     last = lattice.durations.size
     node = best_node(space.nodes[last], count)
     if arrival < space.nodes[last, node, TOTAL]:
-        return arrival_layer, arrival_node
-    return last, node
+        return arrival_layer, arrival_node, 0
+    return last, node, count
 
 
 @inlined

@@ -14,17 +14,16 @@ from socialnav.parameters import AUTO, DEFAULT_MODEL
 from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.config import ConfigError
 from socialnav_core.policies import load_policy, Policy
-from socialnav_core.policies.loading import is_model, suited, WITHOUT_NETWORK
+from socialnav_core.policies.loading import has_setting, is_model, suited, WITHOUT_NETWORK
 from socialnav_core.states import Agents, CrowdState, Robot
 from socialnav_core.threads import set_threads
 
 NAME = re.compile(r'\w[\w.-]*')
 """What a name of a model looks like; anything else is a path."""
-DEFAULTS: dict[str, tuple[str, dict[str, Any]]] = {
-    'holonomic': (DEFAULT_MODEL, {}),
-    'differential': ('search', {'lookahead': 'learned'}),
-}
-"""Model that drives a base where none is named, and what is changed of it, by kinematics."""
+DEFAULTS = {'holonomic': DEFAULT_MODEL, 'differential': f'{DEFAULT_MODEL}_diff_drive'}
+"""Model that drives a base where none is named, by kinematics."""
+REVERSE = 'differential.reverse'
+"""Setting of the models that know how to drive backwards."""
 SCREENING = {'checkpoint': None, 'enabled': True, 'disabled': False}
 
 
@@ -36,7 +35,7 @@ def ready_policy(settings: PolicyParameters) -> Policy:
     """
     torch.set_num_threads(settings.threads)
     set_threads(settings.threads)
-    name, _ = named_model(settings)
+    name = named_model(settings)
     model, overrides = installed(name), chosen_overrides(settings)
     policy = load_policy(model, **overrides)
     if policy.description.knowledge == 'oracle':  # which exists in simulation only
@@ -52,18 +51,18 @@ def ready_policy(settings: PolicyParameters) -> Policy:
     return policy
 
 
-def named_model(settings: PolicyParameters) -> tuple[str, dict[str, Any]]:
-    """Return the model that is asked for, and what is changed of it where none is named."""
-    return DEFAULTS[settings.kinematics] if settings.model == AUTO else (settings.model, {})
+def named_model(settings: PolicyParameters) -> str:
+    """Return the model that is asked for, the one for the base where none is named."""
+    return DEFAULTS[settings.kinematics] if settings.model == AUTO else settings.model
 
 
 def chosen_overrides(settings: PolicyParameters) -> dict[str, Any]:
     """Return the settings of a policy that the parameters of the policy node change, by name."""
-    name, changes = named_model(settings)
+    name = named_model(settings)
     asked = {} if settings.lookahead == 'checkpoint' else {'lookahead': settings.lookahead}
     return (
         suited(name, settings.kinematics)
-        | changes
+        | chosen_reverse(name, settings)
         | asked
         | {
             'screening': SCREENING[settings.screening],
@@ -71,6 +70,16 @@ def chosen_overrides(settings: PolicyParameters) -> dict[str, Any]:
             'device': None if settings.device == 'cpu' else settings.device,
         }
     )
+
+
+def chosen_reverse(name: str, settings: PolicyParameters) -> dict[str, float]:
+    """
+    Return how fast a model may drive backwards, nothing where neither base nor model can.
+
+    :param name: of the model.
+    """
+    known = settings.reverse > 0.0 or has_setting(installed(name), REVERSE)
+    return {REVERSE: settings.reverse} if known and settings.kinematics == 'differential' else {}
 
 
 def installed(model: str) -> str:

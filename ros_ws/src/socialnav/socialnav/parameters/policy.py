@@ -22,8 +22,7 @@ class PolicyParameters:
     )
     model: str = parameter(
         AUTO, 'name in the share folder, path, or a policy without network such as `search`; '
-        'auto: `socialnav` for a holonomic base, `search` with `lookahead: learned` for a '
-        'differential one',
+        'auto: `socialnav` for a holonomic base, `socialnav_diff_drive` for a differential one',
         live='inactive',
     )  # fmt: skip
     lookahead: str = parameter(
@@ -79,6 +78,11 @@ class PolicyParameters:
     kinematics: str = parameter(
         'holonomic', 'how the robot moves', choices=KINEMATICS, live='inactive'
     )
+    reverse: float = parameter(
+        0.0, 'largest speed backwards of a differential base, as a share of preferred_speed, for '
+        'a base whose sensors see behind; 0: never',
+        '', (0.0, 1.0), live='inactive',
+    )  # fmt: skip
     max_speed: float = parameter(1.0, 'no command is faster', 'm/s', (0.0, 5.0), live='yes')
     max_acceleration: float = parameter(
         math.inf, 'no command changes the velocity faster; .inf: no limit',

@@ -70,8 +70,17 @@ def test_the_model_suits_the_base_where_none_is_named():
     )  # fmt: skip
     turning = policy_of(kinematics='differential').description
     assert (turning.name, turning.kinematics, turning.prediction) == (
-        'search', 'differential', 'learned',
+        'socialnav_diff_drive', 'differential', 'learned',
     )  # fmt: skip
+
+
+def test_a_base_drives_backwards_only_where_that_is_asked_for():
+    for model in ('auto', 'search'):
+        plain = policy_of(model=model, kinematics='differential')
+        assert plain.settings.differential.reverse == 0.0
+        asked = policy_of(model=model, kinematics='differential', reverse=0.4)
+        assert asked.settings.differential.reverse == 0.4
+    assert policy_of(reverse=0.4).description.kinematics == 'holonomic'
 
 
 def test_another_prediction_is_one_parameter_away():
