@@ -1,0 +1,48 @@
+"""How a model learned: the columns of the progress.csv in its folder."""
+
+import csv
+import dataclasses
+import math
+from pathlib import Path
+
+PROGRESS = 'progress.csv'
+STEPS = {'decisions': 'decisions', 'iteration': 'iterations', 'round': 'rounds'}
+"""Columns that say how far a training is, and what they count; the first that is there is used."""
+RATE = 'success_rate'
+
+
+@dataclasses.dataclass(frozen=True)
+class Curve:
+    """Success of a model while it was trained."""
+
+    model: str
+    """Its name."""
+    counts: str
+    """What the steps are."""
+    steps: list[float]
+    """How far the training was."""
+    success: list[float]
+    """Share of the episodes of the training that reached their goal."""
+
+
+def learning_curve(model: str, folder: Path) -> Curve | None:
+    """Return the curve in the folder of a model; None without a file that tells of success."""
+    path = folder / PROGRESS
+    if not path.is_file():
+        return None
+    with path.open(newline='', encoding='utf-8') as file:
+        reader = csv.DictReader(file)
+        column = next((name for name in STEPS if name in (reader.fieldnames or ())), None)
+        if column is None or RATE not in (reader.fieldnames or ()):
+            return None
+        points = [(number(row[column]), number(row[RATE])) for row in reader]
+    kept = [point for point in points if all(map(math.isfinite, point))]
+    return Curve(model, STEPS[column], *map(list, zip(*kept, strict=True))) if kept else None
+
+
+def number(text: str | None) -> float:
+    """Return the number that a cell holds, NaN where it holds none."""
+    try:
+        return float(text or 'nan')
+    except ValueError:
+        return math.nan
