@@ -73,7 +73,7 @@ def checkpoint(tmp_path_factory):
 COMMANDS = (
     'train', 'evaluate', 'compare', 'render', 'benchmark', 'models', 'scenarios', 'reproduce',
     'train-prediction', 'evaluate-prediction', 'settings', 'bound', 'grid', 'export',
-    'train-planner',
+    'train-planner', 'report',
 )  # fmt: skip
 
 
