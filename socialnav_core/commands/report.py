@@ -59,9 +59,10 @@ def run(given: argparse.Namespace) -> None:
     views = views_of(given)
     grids = [read_grid(path) for path in given.grid]
     policies = [open_policies(given.models, view) for view in views]
+    order = order_of(given)
     pairs = zip(views, policies, strict=True)
     worlds = [measured(view, opened, len(views)) for view, opened in pairs]
-    page = report_page(worlds, grids, order_of(given))
+    page = report_page(worlds, grids, order)
     given.out.mkdir(parents=True, exist_ok=True)
     atomic_write(given.out / PAGE, page.encode())
     print(f'{given.out / PAGE}: open it in a browser')
@@ -133,19 +134,22 @@ def measured(given: argparse.Namespace, policies: dict[str, 'Policy'], worlds: i
 
 
 def order_of(given: argparse.Namespace) -> 'Order':
-    """Return what was asked for, as words to type and folders to look into."""
+    """Return what was asked for as words to type, and what is known of the models."""
     from socialnav_core.policies.loading import find_model, read_model, WITHOUT_NETWORK
     from socialnav_core.viewing.report import Order
+    from socialnav_core.viewing.report.learning import learning_curve
 
     trained = [model for model in given.models if model not in WITHOUT_NETWORK]
     folders = {model: find_model(model) for model in trained}
+    curves = [learning_curve(model, folder) for model, folder in folders.items()]
     digests = {model: read_model(folder).digest for model, folder in folders.items()}
     options = options_of(given)
     words = ['report', *given.models, '--scenario', *given.scenario, *options]
     words += ['--episodes', str(given.episodes)]
     words += ['--grid', *map(str, given.grid)] if given.grid else []
     words += ['--out', str(given.out)]
-    return Order(words, options, given.seed, given.split, folders, digests)
+    known = [curve for curve in curves if curve]
+    return Order(words, options, given.seed, given.split, known, digests)
 
 
 def options_of(given: argparse.Namespace) -> list[str]:

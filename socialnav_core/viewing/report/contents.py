@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 import dataclasses
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,7 @@ from socialnav_core.evaluation import Comparison, EvaluationResult
 from socialnav_core.metrics import METRICS
 from socialnav_core.metrics.figures import outcome_name
 from socialnav_core.simulation import Outcome
+from socialnav_core.viewing.report.learning import Curve
 from socialnav_core.viewing.report.playback import Playback
 
 OUTCOME_NAMES = tuple(outcome_name(outcome) for outcome in Outcome)
@@ -69,8 +69,8 @@ class Order:
     """Seed of the cases."""
     split: str
     """Split of the cases."""
-    folders: Mapping[str, Path]
-    """Folder of each policy that has one, by its name."""
+    curves: Sequence[Curve]
+    """How those policies learned of which that is known."""
     digests: Mapping[str, str]
     """Digest of the weights of each policy that has any, by its name."""
 

@@ -5,6 +5,8 @@ import dataclasses
 import math
 from pathlib import Path
 
+from socialnav_core.config import ConfigError
+
 PROGRESS = 'progress.csv'
 STEPS = {'decisions': 'decisions', 'iteration': 'iterations', 'round': 'rounds'}
 """Columns that say how far a training is, and what they count; the first that is there is used."""
@@ -26,16 +28,23 @@ class Curve:
 
 
 def learning_curve(model: str, folder: Path) -> Curve | None:
-    """Return the curve in the folder of a model; None without a file that tells of success."""
+    """
+    Return the curve in the folder of a model; None without a file that tells of success.
+
+    :raises ConfigError: when the file is no table.
+    """
     path = folder / PROGRESS
     if not path.is_file():
         return None
-    with path.open(newline='', encoding='utf-8') as file:
-        reader = csv.DictReader(file)
-        column = next((name for name in STEPS if name in (reader.fieldnames or ())), None)
-        if column is None or RATE not in (reader.fieldnames or ()):
-            return None
-        points = [(number(row[column]), number(row[RATE])) for row in reader]
+    try:
+        with path.open(newline='', encoding='utf-8') as file:
+            rows = list(csv.DictReader(file))
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise ConfigError(f'{path} is no table of a training: move it away') from error
+    column = next((name for name in STEPS if rows and name in rows[0]), None)
+    if column is None or RATE not in rows[0]:
+        return None
+    points = [(number(row[column]), number(row[RATE])) for row in rows]
     kept = [point for point in points if all(map(math.isfinite, point))]
     return Curve(model, STEPS[column], *map(list, zip(*kept, strict=True))) if kept else None
 

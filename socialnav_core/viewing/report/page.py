@@ -10,7 +10,7 @@ from socialnav_core.viewing.recording import OUTCOMES
 from socialnav_core.viewing.report import plots, repeat, tables
 from socialnav_core.viewing.report.contents import density, Order, report_data, World
 from socialnav_core.viewing.report.grids import Grid
-from socialnav_core.viewing.report.learning import Curve, learning_curve
+from socialnav_core.viewing.report.learning import Curve
 from socialnav_core.viewing.report.verdict import Standing, verdict
 
 with extra('report'):
@@ -39,7 +39,7 @@ def report_page(worlds: list[World], grids: Sequence[Grid], order: Order) -> str
         ),
         worlds=[section(world, order) for world in worlds],
         density=plots.success_over_density(worlds),
-        learning=learning_plots(names, order),
+        learning=learning_plots(names, order.curves),
         grids=grids,
         commands=repeat.commands(order, worlds),
         versions=repeat.versions(),
@@ -95,11 +95,10 @@ def cells_of(world: World, case: int, order: Order) -> dict[str, Any]:
     }
 
 
-def learning_plots(names: Sequence[str], order: Order) -> list[str]:
+def learning_plots(names: Sequence[str], curves: Sequence[Curve]) -> list[str]:
     """Return a plot for each way of counting the steps of trainings."""
     places = {name: place for place, name in enumerate(names)}
-    found = [learning_curve(name, folder) for name, folder in order.folders.items()]
     groups: dict[str, list[Curve]] = {}
-    for curve in filter(None, found):
+    for curve in curves:
         groups.setdefault(curve.counts, []).append(curve)
     return [plots.learning(curves, places) for curves in groups.values()]

@@ -110,9 +110,11 @@ def staircase(
 
     :param values: sorted, of those cases that have one.
     :param count: of all cases.
+    :param span: from where to where; no value lies before it.
     """
+    values = values[values <= span[1]]
     below = np.arange(len(values) + 1) / count
-    steps = np.concatenate([span[:1], np.clip(values, *span), span[1:]])
+    steps = np.concatenate([span[:1], values, span[1:]])
     drawn.axes.step(steps, np.append(below, below[-1]), where='post', label=name,
                     **style_of(place))  # fmt: skip
 

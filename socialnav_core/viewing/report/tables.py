@@ -49,7 +49,7 @@ def rows_of(results: Sequence[EvaluationResult], metrics: Sequence[Metric]) -> l
     figures = [(result, result.summary([EVERY])) for result in results]
     return [
         (
-            metric.label.strip(),
+            f'… {metric.label.strip()}' if metric.label.startswith(' ') else metric.label,
             *(figure_text(result, metric, each[metric.name], RATES) for result, each in figures),
         )
         for metric in metrics

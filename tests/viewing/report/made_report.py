@@ -1,7 +1,5 @@
 """A small report whose figures were really measured."""
 
-from pathlib import Path
-
 from socialnav_core.evaluation import compare, evaluate
 from socialnav_core.policies import OrcaPolicy, StraightLinePolicy
 from socialnav_core.simulation import make_scenario
@@ -32,9 +30,8 @@ def made_world(name, episodes=EPISODES, cases=3):
     return World(scenario, name, results, compare(results), playbacks)
 
 
-def made_order(folders=None):
+def made_order(curves=()):
     """Return what was asked for."""
     options = ['--seed', str(SEED), '--split', SPLIT]
     words = ['report', *POLICIES, '--scenario', 'circle', 'simple', *options, '--out', 'out/<b>']
-    folders = {name: Path(folder) for name, folder in (folders or {}).items()}
-    return Order(words, options, SEED, SPLIT, folders, dict.fromkeys(folders, 'abc'))
+    return Order(words, options, SEED, SPLIT, curves, {'orca': 'abc'})

@@ -2,6 +2,7 @@
 
 import pytest
 
+from socialnav_core.config import ConfigError
 from socialnav_core.places import MODELS
 from socialnav_core.viewing.report.learning import learning_curve
 
@@ -25,3 +26,9 @@ def test_a_folder_without_history_and_one_of_another_kind_give_no_curve(tmp_path
 def test_a_history_without_figures_gives_no_curve(text, tmp_path):
     (tmp_path / 'progress.csv').write_text(text)
     assert learning_curve('new', tmp_path) is None
+
+
+def test_what_is_no_table_is_told_with_its_name(tmp_path):
+    (tmp_path / 'progress.csv').write_bytes(b'decisions,success_rate\n\xff\xfe\n')
+    with pytest.raises(ConfigError, match='progress.csv is no table'):
+        learning_curve('new', tmp_path)
