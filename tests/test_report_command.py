@@ -1,7 +1,9 @@
 """Laws of `socialnav report`: one page, and one line for every mistake."""
 
+import html
 import json
 import re
+import shlex
 
 import pytest
 
@@ -44,6 +46,12 @@ def test_a_page_is_written_and_its_place_told(tmp_path, capsys):
     assert 'circle with time_limit=20' in text
     assert 'report orca sarl --scenario circle simple --seed 5 --split test --set' in text
     assert {each['policy'] for each in data['worlds'][1]['episodes']} == {'orca', 'sarl'}
+    lines = re.findall(r'(?:data-command="|<code>)(socialnav [^"<]+)', text)
+    assert len(lines) == 1 + 2 + sum(len(world['episodes']) for world in data['worlds'])
+    for line in lines:  # what is to be typed is understood, and asks for the same cases
+        again = cli.build_parser().parse_args(shlex.split(html.unescape(line))[1:])
+        assert (again.seed, again.split) == (5, 'test')
+        assert again.assignments == ['scenario.time_limit=20']
 
 
 def test_the_words_of_an_order_ask_for_the_same_again():

@@ -128,6 +128,9 @@ def reason(standing: Standing) -> str:
 def against(standing: Standing, first: EvaluationResult, other: EvaluationResult) -> str:
     """Return how sure it is that one policy is better than another one, and which is faster."""
     p_value, time = standing.pair(first.model, other.model)
+    if first.success_rate == other.success_rate:
+        pair = f'{first.model} and {other.model}'
+        return f'{pair} succeed equally often.{sooner(first.model, other.model, time)}'
     overlap = first.success_interval[0] <= other.success_interval[1]
     names = f'The intervals of {first.model} and {other.model}'
     certain = p_value < LEVEL
@@ -157,17 +160,16 @@ def sooner(first: str, second: str, time: Estimate | None) -> str:
 def cautions(standings: Sequence[Standing]) -> list[str]:
     """Return what else whoever decides has to know."""
     results = standings[0].results
+    told = [result.model for result in results if result.policy.knowledge == 'oracle']
     notes = [
-        f'{result.model} is told by the simulator what people will do: it is a yardstick, not a '
+        f'Told by the simulator what people will do: {listed(told)}. That is a yardstick, and no '
         'policy for a robot.'
-        for result in results
-        if result.policy.knowledge == 'oracle'
-    ]
+    ] * bool(told)
     if results[0].episodes < FEW:
         low, high = widest(standings)
         notes.append(
-            f'{cases_of(results[0])} are few: a success rate is known here to '
-            f'{50 * (high - low):.0f} points up or down.'
+            f'{cases_of(results[0])} are few: intervals of success are up to '
+            f'{100 * (high - low):.0f} points wide.'
         )
     if results[0].split != 'test':
         notes.append(

@@ -75,7 +75,7 @@ def check_pictures(browser):
 def check_look(browser, width, dark):
     """See that nothing reaches beyond the window, and that the ground is light or dark."""
     browser.look(width, 800, dark)
-    assert browser.value('document.documentElement.scrollWidth <= window.innerWidth')
+    assert browser.value('document.documentElement.scrollWidth') <= width
     assert browser.value('document.getElementById("canvas").clientWidth') > 0.4 * min(width, 720)
     pixels = np.asarray(Image.open(io.BytesIO(browser.picture())).convert('L'))
     assert (np.median(pixels) < 80) == dark

@@ -60,6 +60,11 @@ def test_among_equals_the_faster_one_is_to_be_used(result):
     assert 'Where both arrive, quick is 2.00 s sooner [' in text.reasons[0]
 
 
+def test_equal_rates_are_called_equal(result):
+    text = reason(standing(like(result, 'a', [1, 2]), like(result, 'b', [2, 3])))
+    assert 'a and b succeed equally often. Neither arrives clearly sooner.' in text
+
+
 def test_it_can_depend_on_the_world(result):
     here = standing(like(result, 'a', []), like(result, 'b', range(40)), title='here')
     there = standing(like(result, 'a', range(40)), like(result, 'b', []), title='there')
@@ -76,7 +81,7 @@ def test_who_knows_the_future_is_never_recommended(result):
     oracle = like(result, 'oracle', [], knowledge='oracle')
     text = verdict([standing(oracle, like(result, 'a', range(40)), like(result, 'b', [0]))])
     assert text.headline.startswith('Use b:')
-    assert any('oracle is told by the simulator' in caution for caution in text.cautions)
+    assert any('what people will do: oracle.' in caution for caution in text.cautions)
     assert verdict([standing(oracle, like(result, 'a', [0]))]).headline.startswith('Use a: what')
 
 
