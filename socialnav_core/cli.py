@@ -23,6 +23,7 @@ from socialnav_core.commands import (
     metrics,
     models,
     render,
+    report,
     scenarios,
     settings,
     train,
@@ -36,8 +37,7 @@ from socialnav_core.termination import terminated_like_interrupted
 
 COMMANDS = (
     train, evaluate, compare, render, benchmark, models, metrics, scenarios, settings,
-    train_planner, train_prediction, evaluate_prediction, bound, grid, export,
-    crowds,
+    train_planner, train_prediction, evaluate_prediction, bound, grid, export, crowds, report,
 )  # fmt: skip
 """Modules with `add_parser`, which names the function that runs the command."""
 OTHERS = 'socialnav.commands'

@@ -75,7 +75,7 @@ def checkpoint(tmp_path_factory):
 COMMANDS = (
     'train', 'evaluate', 'compare', 'render', 'benchmark', 'models', 'scenarios', 'reproduce',
     'train-prediction', 'evaluate-prediction', 'settings', 'bound', 'grid', 'export',
-    'train-planner', 'crowds',
+    'train-planner', 'crowds', 'report',
 )  # fmt: skip
 
 

@@ -150,6 +150,12 @@ def test_an_episode_is_drawn_and_a_bag_names_its_extra(installation):
     assert "pip install 'socialnav_core[bag]'" in output
 
 
+def test_a_report_is_written_with_all_its_parts(installation):
+    words = ('straight_line', '--scenario', 'circle', '--episodes', '2', '--out', 'report')
+    assert 'report/index.html' in installation.run('socialnav', 'report', *words)
+    assert '<canvas' in (installation.folder / 'report' / 'index.html').read_text()
+
+
 def test_the_example_of_the_readme_runs(installation):
     code = re.search('```python\n(.*?)```', (ROOT / 'README.md').read_text(), re.DOTALL)[1]
     for number, smaller in (('batch_size=64', 'batch_size=2'), ('episodes=500', 'episodes=2')):

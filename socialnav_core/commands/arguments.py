@@ -70,11 +70,16 @@ def add_command(
     return parser
 
 
-def add_cases_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options that say which cases are meant."""
+def add_cases_options(parser: argparse.ArgumentParser, several: bool = False) -> None:
+    """
+    Add the options that say which cases are meant.
+
+    :param several: whether more than one world may be named.
+    """
     parser.add_argument(
         '--scenario',
         required=True,
+        nargs='+' if several else None,
         metavar='NAME',
         help='world, see socialnav scenarios; or a YAML file of one, as socialnav scenarios hard '
         'prints it',
@@ -89,9 +94,13 @@ def add_cases_options(parser: argparse.ArgumentParser) -> None:
     add_threads_option(parser)
 
 
-def add_world_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options that say which cases are run, and how."""
-    add_cases_options(parser)
+def add_world_options(parser: argparse.ArgumentParser, several: bool = False) -> None:
+    """
+    Add the options that say which cases are run, and how.
+
+    :param several: whether more than one world may be named.
+    """
+    add_cases_options(parser, several)
     parser.add_argument(
         '--lookahead',
         metavar='NAME',

@@ -24,6 +24,7 @@ LINES = (
     ('evaluate', 'orca', *WORLD, '--safety-space', '0.1', '--metrics', 'spl'),
     ('compare', 'straight_line', 'orca', *WORLD),
     ('render', 'straight_line', '--scenario', 'circle', '--case', '0', '--out', 'x.avi'),
+    ('report', 'straight_line', *WORLD, '--out', 'page', '--overwrite'),
     ('train', 'quick', '--resume', '--overwrite', '--out', 'run', '--seed', '0'),
     ('train', 'quick', '--resume', '--overwrite', '--init', 'sarl'),
     ('train-prediction', 'mixed', '--resume', '--overwrite', '--threads', '1'),
