@@ -84,7 +84,7 @@ setup(
             'py.typed',
             'viewing/ros2msg.txt',
             'viewing/report/page.*',
-            'viewing/report/player.js',
+            'viewing/report/*.js',
         ],
     },
     data_files=[

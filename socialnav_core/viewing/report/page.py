@@ -31,7 +31,7 @@ def report_page(worlds: list[World], grids: Sequence[Grid], order: Order) -> str
     return environment.from_string(resource('page.html')).render(
         names=names,
         style=resource('page.css'),
-        script=resource('player.js'),
+        script=resource('drawing.js') + resource('player.js'),
         data=embedded(report_data(worlds)),
         outcomes=OUTCOMES,
         verdict=verdict(

@@ -21,7 +21,7 @@ REACH = 1.0
 SCREENED = -1
 """Stands for the value of an action that must not be chosen."""
 Playback = dict[str, Any]
-"""Plain values, fit for JSON; player.js says what it reads."""
+"""Plain values, fit for JSON; drawing.js says what it reads."""
 
 
 class Watched:
