@@ -27,7 +27,7 @@ def plot_reliability(results: Sequence[PredictionResult], path: Path) -> None:
     drawn = [result for result in results if result.motion == 'all']
     columns = min(COLUMNS, len(drawn))
     rows = math.ceil(len(drawn) / columns)
-    figure = Figure(figsize=(PANEL * columns, PANEL * rows + 0.3), dpi=130, layout='constrained')
+    figure = Figure(figsize=(PANEL * columns, PANEL * rows + 0.3), dpi=100, layout='constrained')
     FigureCanvasAgg(figure)
     grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     for axes in grid.flat[len(drawn) :]:

@@ -42,7 +42,7 @@ def test_it_is_less_certain_of_those_who_have_no_history(predictor):
 
 def test_it_is_as_near_as_constant_velocity_where_people_walk_on(predictor):
     (result,) = evaluate_prediction(predictor, 'street', 2, 0, 'validation')
-    assert (np.array(result.error) < 1.02 * np.array(result.constant_velocity)).all()
+    assert (np.array(result.error) < 1.02 * np.array(result.constant_velocity) + 0.005).all()
 
 
 def halves(recording):
