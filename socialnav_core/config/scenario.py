@@ -207,8 +207,8 @@ class Scenario:
         )
         require(
             not recorded or self.robot_visible == (self.crowd == 'recorded_reactive'),
-            f'scenario {self.name}: recorded people do not see the robot, recorded_reactive ones '
-            'do; choose between recorded:FILE and recorded_reactive:FILE, not by robot_visible',
+            f'scenario {self.name}: robot_visible must be {str(not self.robot_visible).lower()} '
+            f'with the crowd {self.crowd}',
         )
 
     def _require_places(self) -> None:

@@ -116,7 +116,7 @@ def test_another_frame_rate_makes_as_many_slots_as_it_needs():
 def test_recorded_people_are_not_mixed_with_anything_else():
     world = make_scenario(f'recorded:{PEOPLE}')
     for settings, told in (
-        ({'robot_visible': True}, 'do not see the robot'),
+        ({'robot_visible': True}, 'robot_visible must be false with the crowd recorded'),
         ({'crowd': 'orca'}, 'need the layout recorded'),
         ({'obstacles': 3}, 'obstacles must be 0'),
     ):
