@@ -87,6 +87,10 @@ def surrounding_discs(
     rim touches the point and the clearance is that of the surface. Sectors begin at the world's x
     axis, so that they stay where they are when the robot turns.
 
+    Rays may cross a disc of a sector, beside the surface that it touches and no farther from it
+    than its diameter. Shrunk until none does, discs would leave gaps in a wall that is seen at an
+    angle which look wide enough for the robot: at 3 m, 18 sectors are 1 m apart.
+
     :param points: on surfaces, m, (points, 2).
     :param robot: its centre, m, (2,).
     :param people_position: known people, whose returns are left out, m, (people, 2).

@@ -121,3 +121,30 @@ def test_the_nearest_clearance_is_the_true_one(world, laser, noise, seed):
         assert abs(told - nearest) < PASSED
     else:
         assert told >= nearest - PASSED
+
+
+@examples
+@measured
+def test_a_disc_of_a_sector_covers_free_ground_only_beside_a_surface(world, laser, noise, seed):
+    centres, radii, true = discs_of(world, laser, noise, seed, largest_circle=0.0)
+    distance = np.hypot(*centres.T)
+    touched = centres * ((distance - radii) / distance)[:, None]
+    around = np.linspace(0.0, PASSED, 6)[:, None, None] * RAYS  # (rings, beams, 2)
+    solid = world.solid(*np.moveaxis(touched[:, None, None] + around, -1, 0))
+    assert solid.any(axis=(1, 2)).all()
+    along = np.arange(0.0, REACH, STEP)[:, None]
+    for ray, length in zip(RAYS, np.minimum(true, REACH), strict=True):
+        passed = laser + along[along[:, 0] < length - PASSED] * ray
+        covered = np.hypot(*np.moveaxis(passed[:, None] - centres, -1, 0)) < radii
+        beside = np.hypot(*np.moveaxis(passed[:, None] - touched, -1, 0))
+        assert (beside[covered] <= 2 * SurfaceSettings().disc_radius + 1e-9).all()
+
+
+@examples
+@measured
+def test_discs_of_sectors_stand_alone_in_sectors_of_their_own(world, laser, noise, seed):
+    centres, _, _ = discs_of(world, laser, noise, seed, largest_circle=0.0)
+    count = SurfaceSettings().sectors
+    turn = np.arctan2(centres[:, 1], centres[:, 0]) / (2 * np.pi) % 1.0
+    sectors = (turn * count).astype(int) % count
+    assert len(set(sectors.tolist())) == len(sectors)

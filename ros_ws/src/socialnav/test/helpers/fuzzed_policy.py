@@ -7,6 +7,7 @@ from geometry_msgs.msg import PoseStamped, Twist
 from lifecycle_msgs.srv import ChangeState, GetState
 from nav_msgs.msg import OccupancyGrid, Path
 import numpy as np
+from rclpy.duration import Duration
 from std_srvs.srv import Trigger
 
 from helpers.fuzzing import hostile_value, LIFETIME, Target
@@ -33,6 +34,8 @@ TRANSITIONS = ('configure', 'activate', 'deactivate', 'cleanup', 'nonsense', '')
 GOALS = 2000
 """Goals of a burst, which take a second."""
 POSES = 100_000
+ACKNOWLEDGED = Duration(seconds=10)
+"""Longest time that long messages may be on their way."""
 
 
 class FuzzedPolicy:
@@ -137,6 +140,8 @@ class FuzzedPolicy:
         for name in ('pedestrians', 'obstacles'):
             self.publishers[name].publish(crowd)
         self.figures.messages += 3
+        for name in ('plan', 'pedestrians', 'obstacles'):  # a request is lost behind them, and
+            self.publishers[name].wait_for_all_acked(ACKNOWLEDGED)  # sent again 3 s later
         self.node.call('get_parameters', self.node.clients['get_parameters'].srv_type.Request())
 
     def judge(self, limit: float) -> None:

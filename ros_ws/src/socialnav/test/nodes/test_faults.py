@@ -105,7 +105,7 @@ def test_a_goal_within_an_obstacle_is_approached_and_nothing_breaks(drive):
         drive.robot.publish(state)
         drive.graph.spin(0.05)
     assert len(drive.commands) > 5
-    assert drive.health[-1].status[0].message == 'driving'
+    assert drive.health[-1].status[0].message.startswith('driving')
 
 
 def test_a_goal_that_changes_ten_times_a_second_is_followed(drive):
@@ -134,4 +134,4 @@ def test_an_obstacle_that_appears_in_the_way_is_not_driven_into(drive):
             return drive.commands and (drive.commands[-1].linear.x > 0.9) == may_go_on
 
         drive.graph.wait(reacts, 'way ahead' if may_go_on else 'reaction to the obstacle')
-    assert drive.health[-1].status[0].message == 'driving'
+    assert drive.health[-1].status[0].message.startswith('driving')

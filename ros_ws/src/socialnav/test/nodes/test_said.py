@@ -161,8 +161,9 @@ def test_a_plan_that_cannot_be_used_and_one_that_is_very_long_do_not_stop_the_ro
     for _ in range(40):
         drive.robot.publish(state)
         graph.spin(0.05)
-    assert len(drive.commands) >= 15 and all(map(speed, drive.commands))
-    assert FAULTS['plan long'].said in drive.health[-1].status[0].message
+    told = drive.health[-1].status[0].message
+    assert len(drive.commands) >= 15 and all(map(speed, drive.commands)), told
+    assert FAULTS['plan long'].said in told
 
 
 def test_the_log_ends_with_what_is_true_however_soon_the_reason_changed(graph):
