@@ -1,8 +1,9 @@
 """
 Requests to follow a path, read in the memory of the middleware.
 
-rclpy makes five objects of each pose: 14 ms for a path of 400 poses, in which nothing else runs,
-and a navigation stack sends such a path every second. Here the places are copied as one array.
+rclpy makes five objects of each pose, which takes tens of milliseconds for a long path, in which
+nothing else runs, and a navigation stack sends one every second. Here the places are copied as
+one array.
 The layout of messages in memory is that of rosidl's generator for C.
 """
 

@@ -14,7 +14,7 @@ from socialnav.messages.paths import MIXED
 from socialnav.nav2.light_action import follow_path_type
 
 LONGEST_READING = 0.005
-"""Time to read a path of 2,000 poses, s: rclpy takes 80 ms."""
+"""Time to read a path of 2,000 poses, s: rclpy takes some ten times as long."""
 
 
 @pytest.fixture(scope='module', autouse=True)
