@@ -114,8 +114,8 @@ class SearchPolicy:
             np.ascontiguousarray(prediction.positions, dtype=np.float64),
             np.ascontiguousarray(prediction.deviations, dtype=np.float64),
             np.ascontiguousarray(prediction.weights, dtype=np.float64),
-            self._lattice, self._costs, self._space, self.settings.candidate_slack, candidates,
-            commands, plan, self.expected_cost,
+            self._lattice, self._costs, self._space, self.settings.usual_speed,
+            self.settings.candidate_slack, candidates, commands, plan, self.expected_cost,
         )  # fmt: skip
         if self.value is not None and valued:
             ends = candidates.plans[:, :, -1]
