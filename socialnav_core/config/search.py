@@ -68,6 +68,10 @@ class SearchConfig:
     """Side of the cells of the distances around obstacles, m."""
     window: Annotated[float, Range(0.1, 100)] = 12.0
     """Half-width of the square around the robot in which these are computed, m."""
+    crowding: Annotated[float, Range(0, 100)] = 3.0
+    """How many metres a metre through somebody who stands counts besides; 0: as any other."""
+    usual_speed: Annotated[float, Range(0.01, 10)] = 1.0
+    """Preferred speed below which a robot counts people as more, since it needs longer, m/s."""
     value_weight: Annotated[float, Range(0, 100)] = 1.0
     """Factor of the value at the horizon, where there is a network; 0 leaves it aside."""
     candidates: Annotated[int, Range(1, 1000)] = 16

@@ -48,6 +48,24 @@ def length(x, y):  # type: ignore[no-untyped-def]
 
 
 @inlined
+def costs_when_slow(costs, speed, usual_speed):  # type: ignore[no-untyped-def]
+    """
+    Return the costs for a robot that may be slower than usual.
+
+    It needs longer for the same way round somebody, so people and the slack count as many times
+    more, and what is ahead is discounted with the way that it gets, not with the time.
+    """
+    share = min(1.0, speed / usual_speed)
+    return Costs(
+        costs.contact / share, costs.contact_discount**share, costs.intrusion / share,
+        costs.intrusion_discount**share, costs.comfort_distance, costs.turning,
+        costs.obstacle_margin, costs.slack / share, costs.goal_tolerance, costs.deviation_near,
+        costs.deviation_decay, costs.deviation_share, costs.deviation_floor,
+        costs.deviation_limit,
+    )  # fmt: skip
+
+
+@inlined
 def normal_distribution(z):  # type: ignore[no-untyped-def]
     """Return the probability that a standard normal variable is below z, from the table."""
     place = (z + TABLE_END) * (TABLE_CELLS / (2.0 * TABLE_END))

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from socialnav_core.compilation import compiled, inlined
 from socialnav_core.policies.search.candidates import write_candidates
-from socialnav_core.policies.search.costs import length
+from socialnav_core.policies.search.costs import costs_when_slow, length
 from socialnav_core.policies.search.fields import distance_at, frame_of, way_down
 from socialnav_core.policies.search.lattice import SPENT, TOTAL, VELOCITY_X, VELOCITY_Y, X, Y
 from socialnav_core.policies.search.nearness import (
@@ -56,13 +56,14 @@ def trip_of(worlds, world, costs):  # type: ignore[no-untyped-def]
 
 @compiled
 def plan_worlds(  # type: ignore[no-untyped-def]
-    worlds, slots, fields, positions, deviations, weights, lattice, costs, space, candidate_slack,
-    candidates, commands, plans, totals,
+    worlds, slots, fields, positions, deviations, weights, lattice, costs, space, usual_speed,
+    candidate_slack, candidates, commands, plans, totals,
 ):  # fmt: skip
     """
     Plan in each world; write commands, m/s, plans, m, (batch, layers, 2), and expected costs, s.
 
     :param slots: where the distances of each world are in the fields.
+    :param usual_speed: slower robots count people as more, m/s; see `costs_when_slow`.
     :param candidate_slack: how much worse than the best a candidate may be, s.
     :param candidates: written where the robot does not arrive within the horizon.
     """
@@ -70,14 +71,15 @@ def plan_worlds(  # type: ignore[no-untyped-def]
         if worlds.speed[world] <= 0.0:
             commands[world], plans[world], totals[world] = 0.0, worlds.position[world], math.inf
             continue
+        own_costs = costs_when_slow(costs, worlds.speed[world], usual_speed)
         people = gather_people(
-            worlds, world, positions, deviations, weights, lattice, costs, space
+            worlds, world, positions, deviations, weights, lattice, own_costs, space
         )
         obstacles = gather_obstacles(worlds, world, lattice, costs, space)
         field, frame = fields.distance[max(0, slots[world])], frame_of(fields, slots[world])
         start_nodes(worlds, world, lattice, space)
         layer, node, count = search(
-            worlds, world, field, frame, people, obstacles, lattice, costs, space
+            worlds, world, field, frame, people, obstacles, lattice, own_costs, space
         )
         totals[world] = space.nodes[layer, node, TOTAL]
         write_candidates(world, count, totals[world], candidate_slack, space, candidates)

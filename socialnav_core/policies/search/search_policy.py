@@ -9,6 +9,7 @@ from socialnav_core.finiteness import require_finite
 from socialnav_core.policies.protocol import PolicyDescription
 from socialnav_core.policies.search.candidates import Candidates, make_candidates
 from socialnav_core.policies.search.costs import Costs
+from socialnav_core.policies.search.crowding import Crowding
 from socialnav_core.policies.search.fields import GeodesicCache
 from socialnav_core.policies.search.lattice import make_lattice, make_workspace
 from socialnav_core.policies.search.search import (
@@ -64,6 +65,7 @@ class SearchPolicy:
         self._lattice = make_lattice(self.settings)
         self._costs = costs_of(self.settings)
         self._geodesics = GeodesicCache(self.settings)
+        self._crowding = Crowding(self.settings)
         self._space = make_workspace(self._lattice, 0, 1)
 
     @property
@@ -115,13 +117,16 @@ class SearchPolicy:
         valued = self.value is not None and self.settings.value_weight > 0.0
         candidates = make_candidates(batch, self.settings.candidates * valued, layers)
         slots = self._geodesics.slots_of(worlds)
+        fields, slots = self._crowding.add(
+            worlds, prediction, float(self.times[-1]), self._geodesics.fields, slots
+        )
         plan_worlds(
-            worlds, slots, self._geodesics.fields,
+            worlds, slots, fields,
             np.ascontiguousarray(prediction.positions, dtype=np.float64),
             np.ascontiguousarray(prediction.deviations, dtype=np.float64),
             np.ascontiguousarray(prediction.weights, dtype=np.float64),
-            self._lattice, self._costs, self._space, self.settings.candidate_slack, candidates,
-            commands, plan, self.expected_cost,
+            self._lattice, self._costs, self._space, self.settings.usual_speed,
+            self.settings.candidate_slack, candidates, commands, plan, self.expected_cost,
         )  # fmt: skip
         if self.value is not None and valued:
             ends = candidates.plans[:, :, -1]
