@@ -1,11 +1,17 @@
 """Forces between people, as in `social_force_kernel`, for crowds that add others to them."""
 
+import math
+
 import numpy as np
 
+from socialnav_core.compilation import compiled
 from socialnav_core.config import Scenario
 from socialnav_core.simulation.crowds.social_force import Force
 from socialnav_core.simulation.crowds.social_force_kernel import CONTACT, GREATEST_ACCELERATION
 from socialnav_core.states import Agents, CrowdState
+
+FARTHEST = 25.0
+"""Who is farther away than this many reaches pushes by less than the rounding of a number."""
 
 
 def seen_agents(state: CrowdState, scenario: Scenario) -> Agents:
@@ -30,22 +36,44 @@ def social_accelerations(
     :param radius: of the people, m, (batch, people).
     :param preferred: m/s, (batch, people, 2).
     """
-    force, people = force or Force(), position.shape[1]
-    there = others.position.copy()
-    there[:, :people] = position
-    offset = position[:, :, None] - there[:, None]  # (batch, people, agents, 2)
-    distance = np.linalg.norm(offset, axis=-1)
-    away = offset / np.where(distance > 0.0, distance, 1.0)[..., None]
-    gap = distance - radius[:, :, None] - others.radius[:, None]
-    speed = np.linalg.norm(preferred, axis=-1)[..., None]
-    heading = preferred / np.where(speed > 0.0, speed, 1.0)
-    ahead = -(away * heading[:, :, None]).sum(axis=-1)
-    share = force.behind + (1.0 - force.behind) * 0.5 * (1.0 + ahead)
-    push = force.strength * np.exp(-np.maximum(gap, 0.0) / force.reach)
-    push *= np.where(speed > 0.0, share, 1.0)
-    push += CONTACT * np.maximum(-gap, 0.0)
-    push *= others.valid[:, None]  # who is at the same place as oneself pushes nowhere
-    return (push[..., None] * away).sum(axis=2)
+    force, out = force or Force(), np.zeros_like(position)
+    push_people(
+        position, others.position, radius, others.radius, others.valid, preferred, *force, out
+    )
+    return out
+
+
+@compiled
+def push_people(  # type: ignore[no-untyped-def]
+    position, there, radius, radii, valid, preferred, strength, reach, relaxation, behind, out
+):
+    """
+    Add the accelerations of people, m/s^2, (batch, people, 2); see `social_accelerations`.
+
+    :param there: of everybody, those of the people are old, m, (batch, agents, 2).
+    :param radii: of everybody, m, (batch, agents).
+    """
+    people = position.shape[1]
+    for world in range(position.shape[0]):
+        for i in range(people):
+            ahead_x, ahead_y = preferred[world, i, 0], preferred[world, i, 1]
+            speed = math.sqrt(ahead_x * ahead_x + ahead_y * ahead_y)
+            for j in range(there.shape[1]):
+                if i == j or not valid[world, j]:
+                    continue
+                place = position[world, j] if j < people else there[world, j]
+                x, y = position[world, i, 0] - place[0], position[world, i, 1] - place[1]
+                distance = math.sqrt(x * x + y * y)
+                gap = distance - radius[world, i] - radii[world, j]
+                if distance == 0.0 or gap > FARTHEST * reach:
+                    continue
+                push = strength * math.exp(-max(gap, 0.0) / reach)
+                if speed > 0.0:
+                    ahead = -(x * ahead_x + y * ahead_y) / (speed * distance)
+                    push *= behind + (1.0 - behind) * 0.5 * (1.0 + ahead)
+                push += CONTACT * max(-gap, 0.0)
+                out[world, i, 0] += push * x / distance
+                out[world, i, 1] += push * y / distance
 
 
 def limited(vectors: np.ndarray, greatest: float | np.ndarray) -> np.ndarray:
