@@ -8,7 +8,7 @@ import pytest
 
 ROUNDS = 1
 LONG_ROUNDS = 25
-GROWTH = 30.0
+GROWTH = 20.0
 """What the allocator may add to the memory after the first rounds, MB."""
 MOST_SAID = 200_000
 """Bytes that a node may write in a round: what is said of hostile messages is short."""
