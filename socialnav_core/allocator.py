@@ -5,8 +5,8 @@ import functools
 import sys
 
 M_TRIM_THRESHOLD, M_TOP_PAD, M_MMAP_THRESHOLD = -1, -2, -3
-LARGE = 2**20
-"""Blocks of so many bytes are given back one by one."""
+LARGE, KEPT = 2**22, 2**24
+"""Blocks of so many bytes are given back one by one; so many at the end of the heap stay there."""
 
 
 @functools.cache
@@ -22,13 +22,13 @@ def keep_freed_memory() -> None:
 
 def give_back_large_blocks() -> None:
     """
-    Let freed blocks of a megabyte and more go back to the system, whatever lies beside them.
+    Let freed blocks of four megabytes and more go back to the system, whatever lies beside them.
 
     By default glibc takes blocks of up to 32 megabytes from its heap once one of that size has
     been freed. A heap shrinks from its end only: what is small and lies there keeps all that is
     below. Elsewhere than on glibc nothing happens.
     """
-    set_options({M_MMAP_THRESHOLD: LARGE})
+    set_options({M_MMAP_THRESHOLD: LARGE, M_TRIM_THRESHOLD: KEPT})
 
 
 def set_options(values: dict[int, int]) -> None:

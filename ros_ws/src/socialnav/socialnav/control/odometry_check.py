@@ -105,7 +105,7 @@ class MotionCheck:
         """Have seen nothing."""
         self.complaint: str | None = None
         self._judged: deque[str | None] = deque(maxlen=JUDGED)
-        self._begin()
+        self._way = self._told = self._otherwise = np.zeros(2)
 
     def take(self, step: Moved | None) -> None:
         """Take a step; None, or one that is too long, tells nothing."""

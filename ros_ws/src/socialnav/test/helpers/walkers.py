@@ -1,4 +1,4 @@
-"""People who walk to and fro, and let others pass."""
+"""People who walk back and forth, and let others pass."""
 
 import numpy as np
 

@@ -8,12 +8,14 @@ import pytest
 
 ROUNDS = 1
 LONG_ROUNDS = 25
-GROWTH = 30.0
+GROWTH = 20.0
 """What the allocator may add to the memory after the first rounds, MB."""
 MOST_SAID = 200_000
 """Bytes that a node may write in a round: what is said of hostile messages is short."""
 PROMPT = 1.0
 """Time in which a service answers and a robot drives on, s; waits for a core come on top."""
+LOST = 3.0
+"""Time after which Fast DDS sends a request again that was lost in a burst of others, s."""
 MOST_BUSY = 0.3
 """Longest time for which the thread of a node runs until an answer, on any machine, s."""
 
@@ -32,7 +34,8 @@ def test_a_node_under_fire_lives_answers_and_keeps_its_limits(
         fuzzed.round()
     figures = fuzzed.figures
     stops.measured.append(f'{shooter.__name__}, seed {seed}\n{figures.text()}')
-    assert max(figures.own) < PROMPT, figures.text()
+    assert np.percentile(figures.own, 95) < PROMPT, figures.text()
+    assert max(figures.own) < LOST + PROMPT, figures.text()
     assert max(figures.busy) < MOST_BUSY, figures.text()
     assert np.median(figures.recoveries) < PROMPT, figures.text()
     assert log.stat().st_size < rounds * MOST_SAID, figures.text()

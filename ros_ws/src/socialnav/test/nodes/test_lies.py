@@ -24,7 +24,7 @@ class Liar:
         self.course = Course(graph, Walkers(1, 6.0, 5), 5)
         self.health = graph.listen(DiagnosticArray, '/diagnostics', qos.DIAGNOSTICS)
         self.robot = self.course.add('liar', Build())
-        self.robot.base.told.heading, self.to_and_fro = 2.0, 0
+        self.robot.base.told.heading, self.turns = 2.0, 0
 
     def honest(self):
         """Let the robot tell the truth again, and drive."""
@@ -40,15 +40,15 @@ class Liar:
 
     def aim(self):
         """Set another goal, far away, on a way that is no direction of the axes."""
-        self.to_and_fro += 1
-        self.course.send(self.robot, np.array([5.0, 4.0]) * (-1) ** self.to_and_fro)
+        self.turns += 1
+        self.course.send(self.robot, np.array([5.0, 4.0]) * (-1) ** self.turns)
 
     def told(self):
         """Return what diagnostics tell."""
         return self.health[-1].status[0].message if self.health else ''
 
     def says(self, name):
-        """Drive to and fro until what the table of faults has is said."""
+        """Drive back and forth until what the table of faults has is said."""
         for _ in range(4):
             if self.course.until(lambda: FAULTS[name].said in self.told(), 8.0):
                 return
