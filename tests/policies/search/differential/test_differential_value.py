@@ -62,7 +62,7 @@ def test_the_robot_turns_to_where_the_value_wants_it_within_its_limits(state):
 
 def test_the_network_sees_where_the_robot_looks_and_how_fast_it_drives(state):
     value = Sideways(0.1)
-    patient = dataclasses.replace(SETTINGS, candidate_slack=4.0)
+    patient = dataclasses.replace(SETTINGS, horizon=1.0, candidate_slack=4.0)
     DifferentialSearchPolicy(patient, value=value).act(state, LIMITS)
     horizon, seen = value.horizon, observe_horizon(value.horizon)
     offset = horizon.subgoals[horizon.used] - horizon.positions[horizon.used]
