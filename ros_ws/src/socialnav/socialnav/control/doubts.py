@@ -9,7 +9,6 @@ from nav_msgs.msg import Odometry
 from socialnav.control.leaps import Leaps
 from socialnav.control.odometry_check import JUMP, Jumps, MotionCheck, Moved, moved
 from socialnav.control.reasons import GIVEN_UP
-from socialnav.control.runs import what_is_new
 from socialnav.messages.stamps import nanoseconds_of
 from socialnav.parameters.policy import PolicyParameters
 from socialnav_msgs.msg import AgentStates
@@ -57,7 +56,7 @@ class Doubts:
         if before is None or apart(before, goal) > JUMP:
             self._aimed = moment
         typed = not nanoseconds_of(goal.header.stamp)
-        if before is None or typed or what_is_new(goal) != what_is_new(before):
+        if before is None or typed or goal != before:
             self._jump = None
 
     def _take(self, step: Moved | None, moment: float, settings: PolicyParameters) -> None:
