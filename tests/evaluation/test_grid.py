@@ -141,7 +141,7 @@ def test_a_mistake_in_a_variant_is_named(settings, message):
         grid_from(VALUES | {'tables': {'a': {'variant': {'it': settings}}}}, 'wrong')
 
 
-@pytest.mark.parametrize('name', ['robustness', 'ablation'])
+@pytest.mark.parametrize('name', ['robustness', 'ablation', 'worlds'])
 def test_the_variants_that_come_along_are_of_worlds_and_policies_that_exist(name):
     config = read_grid_config(name)
     for table, values in cells_of(config):
