@@ -260,7 +260,7 @@ class Driver:
         """Return what diagnostics tell."""
         ages = self.controller.input_ages(self.node.get_clock().now().nanoseconds)
         controller = self.controller
-        model, plan = named_model(self.made_for)[0], controller.plan.note
+        model, plan = named_model(self.made_for), controller.plan.note
         idle = controller.progress.idle
         facts = controller_facts(model, plan, idle, ages, controller.tally)
         return facts | self.punctuality.facts()

@@ -1,6 +1,7 @@
 """Laws of what follows from the parameters of the policy node; no middleware is needed."""
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -11,6 +12,8 @@ from socialnav.parameters.policy import PolicyParameters
 from socialnav_core.config import SCENARIOS
 from socialnav_core.simulation import make_scenario
 from socialnav_core.simulation.kinematics import Limits
+
+RECORDED_PEOPLE = Path(__file__).parents[5] / 'tests' / 'data' / 'recorded_people.txt'
 
 
 def test_in_real_time_the_parameters_count_as_they_are():
@@ -25,7 +28,9 @@ def test_in_real_time_the_parameters_count_as_they_are():
     assert not settings.stamped
 
 
-@pytest.mark.parametrize('name', [name.replace('-R', '-1.5') for name in SCENARIOS])
+@pytest.mark.parametrize('name', [
+    name.replace('-R', '-1.5').replace('FILE', str(RECORDED_PEOPLE)) for name in SCENARIOS
+])  # fmt: skip
 def test_in_lockstep_robot_and_time_are_those_of_the_scenario(name):
     scenario = make_scenario(name)
     settings = controller_settings(
