@@ -68,27 +68,24 @@ def test_a_case_ends_alike_offline_and_through_the_graph(graph, model, scenario,
 
 
 def test_a_differential_drive_arrives_by_the_default_model_as_it_does_offline(graph):
-    straight_on = {'lookahead': 'constant_velocity'}  # it has no history
-    policy = load_policy('socialnav_diff_drive', **straight_on, **{'differential.reverse': 0.0})
-    results = compare(graph, 'auto', 'hard', FEW, 'differential', policy, **straight_on)
+    policy = load_policy('socialnav_diff_drive', **{'differential.reverse': 0.0})
+    results = compare(graph, 'auto', 'hard', FEW, 'differential', policy)
     assert [result.outcome for result in results].count('goal') >= FEW - 1
 
 
-def compare(graph, model, scenario, cases, kinematics='holonomic', policy=None, **parameters):
+def compare(graph, model, scenario, cases, kinematics='holonomic', policy=None):
     """
     Run cases both ways, compare how they end and return their results.
 
     :param policy: what the node is taken to drive by; None: the model as it is.
-    :param parameters: further ones of the policy node.
     """
     results = graph.listen(EpisodeResult, 'episode_result', qos.LATCHED_RECORDING)
     odometry = graph.listen(Odometry, 'odom')
     graph.start('simulator_node', lockstep=True, scenario=scenario, seed=SEED, episodes=cases,
                 kinematics=kinematics)  # fmt: skip
     graph.start(
-        'policy_node', lockstep=True, scenario=scenario, model=model, kinematics=kinematics,
-        **parameters,
-    )  # fmt: skip
+        'policy_node', lockstep=True, scenario=scenario, model=model, kinematics=kinematics
+    )
     graph.wait(lambda: len(results) == cases, 'end of the episodes', deadline=250.0)
     graph.spin(0.2)
     final = {nanoseconds_of(one.header.stamp): one.pose.pose.position for one in odometry}
