@@ -35,7 +35,10 @@ def test_a_base_with_delay_and_slip_in_a_yawed_and_displaced_frame_arrives(
     assert figures.arrived == figures.runs == runs, figures
 
 
-@DIFFERENTIAL
+@pytest.mark.parametrize(
+    'differential', [False, pytest.param(True, marks=pytest.mark.slow)],
+    ids=['holonomic', 'differential'],
+)  # fmt: skip
 def test_two_robots_in_namespaces_see_each_other_as_people_and_change_places(graph, differential):
     both = course(graph, 0, 2, 3, differential)
     places = [one.base.pose.place for one in both.robots]
